@@ -1,0 +1,1 @@
+//! Simbeeotic: events, instants, random streams, trace hash, pacing.

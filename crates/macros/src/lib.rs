@@ -1,0 +1,1 @@
+//! Simbeeotic: attribute macros for parts and their parameters.

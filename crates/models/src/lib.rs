@@ -1,0 +1,1 @@
+//! Simbeeotic: the shelf: vehicles, behaviours, sensors, radios, weather, hive.

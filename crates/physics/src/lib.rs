@@ -1,0 +1,1 @@
+//! Simbeeotic: rigid bodies on their own clocks, wrenches, contacts at computed times.

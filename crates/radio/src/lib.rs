@@ -1,0 +1,1 @@
+//! Simbeeotic: antennas, propagation, error models, radios, the shared medium.

@@ -1,0 +1,1 @@
+//! Simbeeotic: the log of a run: MCAP recording, CSV and Parquet export.

@@ -1,0 +1,1 @@
+//! Simbeeotic: scenario and world files to a checked plan to a simulation.

@@ -1,0 +1,1 @@
+//! Simbeeotic: the facade that users depend on, and the program.

@@ -1,0 +1,1 @@
+//! Simbeeotic: quantities with units as text, frames, time, decibels.

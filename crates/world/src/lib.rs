@@ -1,0 +1,1 @@
+//! Simbeeotic: what is there: ground, obstacles, structures, flowers, people, weather.
