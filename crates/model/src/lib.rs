@@ -1,1 +1,2 @@
-//! Simbeeotic: what authors write against: behaviours, vehicles, sensors, radios, the registry, the simulation.
+//! Simbeeotic: what authors write against.
+pub mod config;
