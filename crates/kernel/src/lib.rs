@@ -1,1 +1,7 @@
 //! Simbeeotic: events, instants, random streams, trace hash, pacing.
+
+mod event;
+mod time;
+
+pub use event::{Event, ModelId, Wake};
+pub use time::SimTime;
