@@ -1,0 +1,65 @@
+//! The `simbeeotic` program as the checks run it: built in release, started at the root.
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::repo::Repo;
+
+/// The built program.
+pub(crate) struct Program<'a> {
+    repo: &'a Repo,
+    binary: PathBuf,
+}
+
+impl<'a> Program<'a> {
+    /// Builds the program with the release profile. Costs nothing when it is fresh, and a stale program
+    /// would compare yesterday's traces.
+    pub(crate) fn build(repo: &'a Repo) -> Result<Self> {
+        println!("   building simbeeotic (release)");
+        let status = repo
+            .cargo()
+            .args(["build", "--release", "--quiet"])
+            .args(["--package", "simbeeotic", "--bin", "simbeeotic"])
+            .status()
+            .context("cannot run cargo build")?;
+        ensure!(status.success(), "the program does not build");
+
+        let name = format!("simbeeotic{}", std::env::consts::EXE_SUFFIX);
+        let binary = repo.target_dir()?.join("release").join(name);
+        ensure!(binary.is_file(), "{} was not built", binary.display());
+        Ok(Self { repo, binary })
+    }
+
+    /// Another program in its place, for the tests of checks that run it.
+    #[cfg(test)]
+    pub(crate) fn at(repo: &'a Repo, binary: PathBuf) -> Self {
+        Self { repo, binary }
+    }
+
+    /// The program with these arguments, to be started at the root.
+    pub(crate) fn command(&self, args: &[&str]) -> Command {
+        let mut command = Command::new(&self.binary);
+        command.args(args).current_dir(self.repo.root());
+        command
+    }
+
+    /// Runs the program and returns what it printed; its complaint if it fails.
+    pub(crate) fn stdout(&self, args: &[&str]) -> Result<String> {
+        let output = self
+            .command(args)
+            .stdin(Stdio::null())
+            .output()
+            .with_context(|| format!("cannot run {}", self.binary.display()))?;
+        if !output.status.success() {
+            bail!(
+                "`simbeeotic {}` failed ({}): {}",
+                args.join(" "),
+                output.status,
+                String::from_utf8_lossy(&output.stderr).trim()
+            );
+        }
+        String::from_utf8(output.stdout).context("the program printed something that is not UTF-8")
+    }
+}

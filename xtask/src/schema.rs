@@ -1,0 +1,73 @@
+//! The scenario schema that editors use is the one that the program would write now.
+
+use anyhow::Result;
+
+use crate::program::Program;
+use crate::repo::Repo;
+use crate::report::Report;
+
+/// Beside the scenarios, so that their `#:schema` line finds it.
+const FILE: &str = "scenarios/scenario.schema.json";
+
+/// Compares, or with `accept` rewrites, the schema.
+pub(crate) fn check(repo: &Repo, accept: bool) -> Result<Report> {
+    let fresh = Program::build(repo)?.stdout(&["schema"])?;
+    let stored = std::fs::read_to_string(repo.path(FILE)).ok();
+    if accept {
+        std::fs::write(repo.path(FILE), format!("{}\n", fresh.trim_end()))?;
+        return Ok(Report::of(format!("{FILE} written")));
+    }
+
+    Ok(match stored {
+        None => Report::fault(format!(
+            "{FILE}: missing; `cargo xtask schema --accept` writes it"
+        )),
+        Some(stored) => match first_difference(&stored, &fresh) {
+            None => Report::of(format!("{} lines", fresh.lines().count())),
+            Some((line, stored, fresh)) => Report::fault(format!(
+                "{FILE}:{line}: stale; stored `{stored}`, now `{fresh}`; \
+                 `cargo xtask schema --accept` writes it anew"
+            )),
+        },
+    })
+}
+
+/// The first line that differs, counted from 1, in both texts. How a line ends does not matter.
+fn first_difference<'a>(stored: &'a str, fresh: &'a str) -> Option<(usize, &'a str, &'a str)> {
+    let mut left = stored.trim_end().lines();
+    let mut right = fresh.trim_end().lines();
+    let mut line = 0;
+    loop {
+        line += 1;
+        match (left.next(), right.next()) {
+            (None, None) => return None,
+            (a, b) if a != b => {
+                let text = |side: Option<&'a str>| side.map_or("(end of file)", str::trim);
+                return Some((line, text(a), text(b)));
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_differing_line_is_named() {
+        assert_eq!(
+            first_difference("{\n  a\n}\n", "{\n  b\n}\n"),
+            Some((2, "a", "b"))
+        );
+        assert_eq!(
+            first_difference("{\n", "{\n}\n"),
+            Some((2, "(end of file)", "}"))
+        );
+    }
+
+    #[test]
+    fn line_ends_do_not_matter() {
+        assert_eq!(first_difference("{\r\n}\r\n", "{\n}"), None);
+    }
+}
