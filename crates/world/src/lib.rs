@@ -1,1 +1,48 @@
-//! Simbeeotic: what is there: ground, obstacles, structures, flowers, people, weather.
+//! What is there: ground, obstacles, structures, flowers, people, weather.
+//!
+//! A [`World`] is plain data. It says where things stand, how large they are, what colour they
+//! have; it does not move, and nothing in it knows of bodies, radios or files. `World::default()`
+//! is an empty plane. Those who need geometry ask for [`World::objects`]: every object as a few
+//! primitive [`Solid`]s with a pose, whatever it was called in the file.
+//!
+//! ```
+//! use simbeeotic_world::{Obstacle, ObstacleShape, World};
+//! use simbeeotic_units::{Length, Position};
+//!
+//! let mut world = World::default();
+//! world.obstacles.push(Obstacle {
+//!     position: Position::new(Length::si(4.0), Length::si(0.0), Length::si(0.0)),
+//!     shape: ObstacleShape::Cylinder { diameter: Length::si(0.5), height: Length::si(2.0) },
+//!     ..Obstacle::default()
+//! });
+//! assert!(world.check().is_empty());
+//! assert_eq!(world.objects(0).len(), 1);
+//! ```
+//!
+//! Frame: the world frame is ENU, `x` east, `y` north, `z` up; the ground is the plane `z = 0`.
+//! A *length* runs along `x`, a *width* along `y`, a *height* along `z`, before rotation.
+//! Rotations are about `z`, counter-clockwise seen from above.
+//!
+//! Reading order: [`world`] (the whole), [`look`] (colour, texture, metadata), [`obstacle`],
+//! [`structure`], [`flower`], [`person`] (what stands in it), [`solid`] (what it is made of),
+//! [`check`] (what cannot be), [`weather`] (the air).
+
+pub mod check;
+pub mod flower;
+pub mod look;
+pub mod obstacle;
+pub mod person;
+pub mod solid;
+pub mod structure;
+pub mod weather;
+pub mod world;
+
+pub use check::WorldError;
+pub use flower::{Flower, FlowerShape, Patch};
+pub use look::{Color, ColorError, Meta, Texture};
+pub use obstacle::{Obstacle, ObstacleShape};
+pub use person::{Person, PersonShape};
+pub use solid::{Object, ObjectKind, Solid, SolidShape};
+pub use structure::{Door, Structure, StructureShape, Trap};
+pub use weather::{Calm, Weather};
+pub use world::{Ground, World};
