@@ -80,7 +80,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "record",
         sees: &["units", "world", "model"],
-        because: "the recorder watches through `model`: it never sees the engine, so it cannot change a run",
+        because: "the recorder is handed data: it never sees the engine, so it cannot change a run",
     },
     Row {
         name: "view",
