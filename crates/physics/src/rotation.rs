@@ -1,0 +1,207 @@
+//! How attitude and body rate change along a segment.
+//!
+//! With `q` the attitude (`world_from_body`), `w` the body rate, `I` the principal moments and `T` the
+//! torque, all but `q` in the body frame:
+//!
+//! ```text
+//! q' = q w / 2        I w' = T - w x I w                                                   (1)
+//! ```
+//!
+//! Three cases, chosen once when a segment begins:
+//!
+//! - **Steady**: no torque, and the gyroscopic term `w x I w` vanishes. Then `q(s) = q exp(w s)`, exact.
+//! - **Axis**: torque and rate lie along one principal axis (any axis, if all moments are equal). Then
+//!   the angle is `w s + I^-1 T s^2 / 2` about that axis, exact.
+//! - **Tumbling**: the rest, in steps that are counted from the start of the segment, so that asking
+//!   at one time never changes the answer at another. One step takes `w` by two classical
+//!   Runge-Kutta half steps and `q` by the exponential of the fourth order Magnus series,
+//!
+//!   ```text
+//!   q(h) = q exp( (h/6) (w0 + 4 w1/2 + w1) + (h^2/12) w0 x w1 )                            (2)
+//!   ```
+//!
+//!   (Iserles, Munthe-Kaas, Norsett, Zanna 2000, Acta Numerica 9, section 5; the sign of the last term
+//!   follows from `q` standing left of `w`.) The step is the power of two of nanoseconds in which the
+//!   body turns less than 0.02 rad, and in which the torque turns it less than 4e-5 rad.
+
+use crate::limits::RATE_RAD_S_MAX;
+use crate::motion::{Motion, Spin, seconds_between};
+use glam::{DQuat, DVec3};
+use simbeeotic_kernel::SimTime;
+
+/// Turn of the body in one step, rad.
+const STEP_TURN_RAD: f64 = 0.02;
+/// Product of angular acceleration and step squared, rad.
+const STEP_SPIN_UP_RAD: f64 = 4e-5;
+/// Shortest and longest step, as powers of two of nanoseconds: 2 us and 134 ms.
+const STEP_LOG2_RANGE: (u8, u8) = (11, 27);
+/// A tumbling segment begins anew after this many steps, so that asking stays cheap.
+const STEPS_PER_SEGMENT: u64 = 256;
+/// A tumbling segment that nobody begins anew is evaluated in at most this many, longer, steps.
+const STEPS_MAX: u64 = 1 << 16;
+
+/// The unit quaternion that turns by the vector `turn`, rad: `exp(turn / 2)`.
+///
+/// Below half a radian by its power series, whose first term left out is below 1e-17; beyond by `libm`.
+pub(crate) fn turn_by(turn: DVec3) -> DQuat {
+    let square = 0.25 * turn.length_squared();
+    let (sinc, cos) = if square < 0.0625 {
+        let sinc = 1.0
+            - square / 6.0
+                * (1.0
+                    - square / 20.0
+                        * (1.0 - square / 42.0 * (1.0 - square / 72.0 * (1.0 - square / 110.0))));
+        let cos = 1.0
+            - square / 2.0
+                * (1.0
+                    - square / 12.0
+                        * (1.0
+                            - square / 30.0
+                                * (1.0
+                                    - square / 56.0
+                                        * (1.0 - square / 90.0 * (1.0 - square / 132.0)))));
+        (sinc, cos)
+    } else {
+        let half = square.sqrt();
+        let (sin, cos) = libm::sincos(half);
+        (sin / half, cos)
+    };
+    let axis = turn * (0.5 * sinc);
+    DQuat::from_xyzw(axis.x, axis.y, axis.z, cos)
+}
+
+/// `q` brought back to length 1, against the drift of many products.
+fn unit(q: DQuat) -> DQuat {
+    q * (1.0 / q.length_squared().sqrt())
+}
+
+/// `w`, no faster than a body may turn.
+fn hold(w: DVec3) -> DVec3 {
+    w.clamp_length_max(RATE_RAD_S_MAX)
+}
+
+/// Euler's equation: what turns a free body's rate.
+struct Euler {
+    /// `I^-1 T`.
+    spin_up: DVec3,
+    /// `((I2 - I3) / I1, ...)`: the gyroscopic term is this times `(w2 w3, w3 w1, w1 w2)`.
+    ratio: DVec3,
+}
+
+impl Euler {
+    fn acceleration(&self, w: DVec3) -> DVec3 {
+        self.spin_up + self.ratio * DVec3::new(w.y * w.z, w.z * w.x, w.x * w.y)
+    }
+
+    /// One classical Runge-Kutta step of order 4.
+    fn step(&self, w: DVec3, h: f64) -> DVec3 {
+        let k1 = self.acceleration(w);
+        let k2 = self.acceleration(w + k1 * (0.5 * h));
+        let k3 = self.acceleration(w + k2 * (0.5 * h));
+        let k4 = self.acceleration(w + k3 * h);
+        hold(w + (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0))
+    }
+
+    /// One step of equation (2).
+    fn advance(&self, q: DQuat, w: DVec3, h: f64) -> (DQuat, DVec3) {
+        let half = self.step(w, 0.5 * h);
+        let full = self.step(half, 0.5 * h);
+        let turn = (w + half * 4.0 + full) * (h / 6.0) + w.cross(full) * (h * h / 12.0);
+        (unit(q * turn_by(turn)), full)
+    }
+}
+
+impl Motion {
+    /// Attitude and body rate at `t`, not before the start.
+    pub(crate) fn rotation(&self, t: SimTime) -> (DQuat, DVec3) {
+        let s = seconds_between(self.t0, t);
+        match self.spin {
+            Spin::Steady if self.w == DVec3::ZERO || s == 0.0 => (self.q, self.w),
+            Spin::Steady => (unit(self.q * turn_by(self.w * s)), self.w),
+            Spin::Axis => {
+                let spin_up = self.spin_up();
+                let turn = self.w * s + spin_up * (0.5 * s * s);
+                (unit(self.q * turn_by(turn)), hold(self.w + spin_up * s))
+            }
+            Spin::Tumbling => self.tumble(t.nanos() - self.t0.nanos()),
+        }
+    }
+
+    /// Attitude and body rate `span` nanoseconds after the start, in steps counted from there.
+    fn tumble(&self, span: u64) -> (DQuat, DVec3) {
+        let mut log2 = u32::from(self.step_log2);
+        while span >> log2 > STEPS_MAX {
+            log2 += 1;
+        }
+        let step = 1_u64 << log2;
+        let euler = self.euler();
+        let (mut q, mut w) = (self.q, self.w);
+        for _ in 0..span >> log2 {
+            (q, w) = euler.advance(q, w, step as f64 / 1e9);
+        }
+        match span & (step - 1) {
+            0 => (q, w),
+            rest => euler.advance(q, w, rest as f64 / 1e9),
+        }
+    }
+
+    /// `I^-1 T`: what the torque does to a body that does not turn.
+    pub(crate) fn spin_up(&self) -> DVec3 {
+        self.torque() * self.inverse_inertia()
+    }
+
+    fn euler(&self) -> Euler {
+        let inverse = self.inverse_inertia();
+        let moment = inverse.recip();
+        let ratio = DVec3::new(
+            (moment.y - moment.z) * inverse.x,
+            (moment.z - moment.x) * inverse.y,
+            (moment.x - moment.y) * inverse.z,
+        );
+        Euler {
+            spin_up: self.spin_up(),
+            ratio,
+        }
+    }
+
+    /// Chooses the case and the step for the segment that begins now.
+    pub(crate) fn respin(&mut self) {
+        self.w = hold(self.w);
+        if self.inverse_mass == 0.0 {
+            self.spin = Spin::Steady;
+            return;
+        }
+        let [x, y, z] = self.inverse_inertia;
+        let principal = |v: DVec3| [v.x, v.y, v.z].iter().filter(|c| **c != 0.0).count() < 2;
+        let even = x == y && y == z;
+        let spin_up = self.spin_up();
+        let along = self.w + spin_up;
+        let fixed_axis = even && self.w.cross(spin_up) == DVec3::ZERO
+            || principal(self.w) && principal(spin_up) && principal(along);
+        self.spin = match (fixed_axis, spin_up == DVec3::ZERO) {
+            (true, true) => Spin::Steady,
+            (true, false) => Spin::Axis,
+            (false, _) => Spin::Tumbling,
+        };
+        if self.spin == Spin::Tumbling {
+            self.step_log2 = step_log2(self.w.length(), spin_up.length());
+        }
+    }
+
+    /// When a tumbling segment should begin anew.
+    pub(crate) fn respin_due(&self) -> Option<SimTime> {
+        (self.spin == Spin::Tumbling).then(|| {
+            self.t0
+                .saturating_add_nanos(STEPS_PER_SEGMENT << self.step_log2)
+        })
+    }
+}
+
+/// The step for a body that turns at `rate` under a torque that would spin it up by `spin_up`.
+fn step_log2(rate: f64, spin_up: f64) -> u8 {
+    let step_s = (STEP_TURN_RAD / rate).min((STEP_SPIN_UP_RAD / spin_up).sqrt());
+    let (least, most) = STEP_LOG2_RANGE;
+    // Dividing by zero gives infinity, which the cast holds at the greatest integer.
+    let nanos = (step_s * 1e9) as u64;
+    (nanos.max(1).ilog2() as u8).clamp(least, most)
+}
