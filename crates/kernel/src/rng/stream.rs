@@ -191,7 +191,11 @@ mod tests {
         let words = [s.next_u64(), s.next_u64(), s.next_u64()];
         assert_eq!(words, GOLDEN, "{words:#018x?}");
     }
-    const GOLDEN: [u64; 3] = [0xd3d5_609b_6adc_8896, 0xc3cd_e79d_8f5f_868b, 0xc7c9_fbf9_7f77_e8aa];
+    const GOLDEN: [u64; 3] = [
+        0xd3d5_609b_6adc_8896,
+        0xc3cd_e79d_8f5f_868b,
+        0xc7c9_fbf9_7f77_e8aa,
+    ];
 
     #[test]
     fn the_first_words_are_the_philox_block_of_the_key() {
