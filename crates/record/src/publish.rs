@@ -1,0 +1,79 @@
+//! Files that appear whole or not at all.
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Writes a file beside `path` and gives it that name when it is complete and on the disk.
+///
+/// Whoever opens `path` sees the old file or the new one, never a part. After an error the new
+/// one is removed; after a `kill -9` it may stay, as `.NAME.PID-N.part`.
+///
+/// # Errors
+/// Whatever `write` returns, and the errors of the file system.
+pub fn publish<T, E: From<io::Error>>(
+    path: &Path,
+    write: impl FnOnce(&File) -> Result<T, E>,
+) -> Result<T, E> {
+    let part = part_of(path)?;
+    let written = File::create_new(&part)
+        .map_err(E::from)
+        .and_then(|file| {
+            let value = write(&file)?;
+            file.sync_all()?;
+            Ok(value)
+        })
+        .and_then(|value| {
+            fs::rename(&part, path)?;
+            Ok(value)
+        });
+    if written.is_err() {
+        let _ = fs::remove_file(&part);
+    }
+    written
+}
+
+fn part_of(path: &Path) -> io::Result<PathBuf> {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+
+    let Some(name) = path.file_name() else {
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "this is the name of a folder",
+        ));
+    };
+    let number = COUNT.fetch_add(1, Ordering::Relaxed);
+    let mut part = OsString::from(".");
+    part.push(name);
+    part.push(format!(".{}-{number}.part", std::process::id()));
+    Ok(path.with_file_name(part))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    #[test]
+    fn a_failed_file_leaves_the_old_one_and_no_rubbish() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("table");
+        publish(&path, |mut file| file.write_all(b"old")).expect("written");
+
+        let failed: io::Result<()> = publish(&path, |mut file| {
+            file.write_all(b"half of the n")?;
+            Err(io::Error::other("no more"))
+        });
+
+        assert!(failed.is_err());
+        assert_eq!(fs::read(&path).expect("still there"), b"old");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
+    }
+
+    #[test]
+    fn a_folder_is_no_file_name() {
+        assert!(publish(Path::new("/"), |_| io::Result::Ok(())).is_err());
+    }
+}
