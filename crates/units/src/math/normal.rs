@@ -42,10 +42,14 @@ pub fn normal_quantile(p: f64) -> f64 {
     size.copysign(q)
 }
 
+// The coefficients below have more digits than an `f64` holds: they are printed here as they are in
+// the paper, to be compared with it.
+
 /// Numerator and denominator, lowest power first.
 type Rational = ([f64; 8], [f64; 8]);
 
 /// `|p - 1/2| ≤ 0.425`: coefficients a and b of the paper.
+#[expect(clippy::excessive_precision, reason = "as printed in the paper")]
 const CENTRE: Rational = (
     [
         3.387_132_872_796_366_608_0,
@@ -70,6 +74,7 @@ const CENTRE: Rational = (
 );
 
 /// Tails with `√(-ln p) ≤ 5`: coefficients c and d of the paper.
+#[expect(clippy::excessive_precision, reason = "as printed in the paper")]
 const MIDDLE: Rational = (
     [
         1.423_437_110_749_683_577_34,
@@ -94,6 +99,7 @@ const MIDDLE: Rational = (
 );
 
 /// Tails beyond: coefficients e and f of the paper.
+#[expect(clippy::excessive_precision, reason = "as printed in the paper")]
 const FAR: Rational = (
     [
         6.657_904_643_501_103_777_20,
@@ -125,4 +131,105 @@ fn ratio(r: f64, (above, below): &Rational) -> f64 {
             + c[0]
     };
     horner(above) / horner(below)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Quantiles computed with 60 decimal digits (Newton's method on `erfc`), rounded to 20. The
+    /// probability is the `f64` nearest to what is written, hence 0.9 and 0.1 differ in digit 15.
+    #[expect(
+        clippy::excessive_precision,
+        reason = "one digit more than an f64 holds, to be sure"
+    )]
+    const KNOWN: [(f64, f64); 21] = [
+        (1e-300, -37.047_096_299_361_199_24),
+        (1e-100, -21.273_453_560_965_324_29),
+        (1e-20, -9.262_340_089_798_407_58),
+        (1.110_223_024_625_156_5e-16, -8.209_536_151_601_386_856),
+        (1e-10, -6.361_340_902_404_056_199),
+        (1.388_794_386_496_402_1e-11, -6.657_904_643_501_103_584), // where the pieces meet
+        (1e-5, -4.264_890_793_922_824_610),
+        (0.001, -3.090_232_306_167_813_535),
+        (0.01, -2.326_347_874_040_841_093),
+        (0.025, -1.959_963_984_540_054_212),
+        (0.075, -1.439_531_470_938_455_935), // where the pieces meet
+        (0.1, -1.281_551_565_544_600_435),
+        (0.25, -0.674_489_750_196_081_743_2),
+        (0.4, -0.253_347_103_135_799_741_3),
+        (0.499_99, -2.506_628_274_896_000_853e-5),
+        (0.51, 0.025_068_908_258_711_058_03),
+        (0.75, 0.674_489_750_196_081_743_2),
+        (0.9, 1.281_551_565_544_600_594),
+        (0.975, 1.959_963_984_540_053_856),
+        (0.999, 3.090_232_306_167_813_278),
+        (0.999_999_999_999_999_9, 8.209_536_151_601_386_856),
+    ];
+
+    #[test]
+    fn quantile_agrees_with_sixty_digit_values() {
+        for (p, expected) in KNOWN {
+            let found = normal_quantile(p);
+            let error = ((found - expected) / expected).abs();
+            assert!(error < 1e-15, "p = {p}: {found}, not {expected}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn the_test_values_of_the_paper_come_out() {
+        // Applied Statistics 37(3), p. 482: p = 0.25, 0.001, 1e-20.
+        assert!((normal_quantile(0.25) + 0.674_489_750_196_081_7).abs() < 1e-15);
+        assert!((normal_quantile(0.001) + 3.090_232_306_167_814).abs() < 4e-15);
+        assert!((normal_quantile(1e-20) + 9.262_340_089_798_408).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_ends_are_infinite_and_beyond_is_nothing() {
+        assert_eq!(normal_quantile(0.0), f64::NEG_INFINITY);
+        assert_eq!(normal_quantile(1.0), f64::INFINITY);
+        assert_eq!(normal_quantile(0.5), 0.0);
+        for p in [
+            -1e-300,
+            -1.0,
+            1.0 + f64::EPSILON,
+            2.0,
+            f64::INFINITY,
+            f64::NAN,
+        ] {
+            assert!(normal_quantile(p).is_nan(), "p = {p}");
+        }
+        let smallest = f64::from_bits(1);
+        assert!(normal_quantile(smallest) < -38.0 && normal_quantile(smallest).is_finite());
+    }
+
+    proptest! {
+        #[test]
+        fn the_distribution_of_the_quantile_is_the_probability(
+            exponent in -300.0..0.0_f64, upper in any::<bool>(),
+        ) {
+            let tail = 0.5 * super::super::pow(10.0, exponent);
+            let p = if upper { 1.0 - tail } else { tail };
+            let x = normal_quantile(p);
+            if x.is_finite() {
+                // dp/p = -x dx/x * x for the tail: an error of one bit in x counts x² times.
+                let bits = 4.0 + x * x;
+                let error = (normal_cdf(x) / p - 1.0).abs();
+                prop_assert!(error < bits * 4.0 * f64::EPSILON, "p = {p}, x = {x}: {error:e}");
+            }
+        }
+
+        #[test]
+        fn the_quantile_is_odd(k in 1..(1_u64 << 52)) {
+            let p = k as f64 / (1_u64 << 53) as f64; // p and 1 - p are exact
+            prop_assert_eq!(normal_quantile(1.0 - p), -normal_quantile(p));
+        }
+
+        #[test]
+        fn the_quantile_does_not_fall(p in 0.0..1.0_f64, step in 1e-12..0.5_f64) {
+            prop_assume!(p + step <= 1.0);
+            prop_assert!(normal_quantile(p) <= normal_quantile(p + step));
+        }
+    }
 }

@@ -106,3 +106,43 @@ impl SubAssign<Decibels> for PowerLevel {
         self.0 -= loss.get();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_and_ratios_combine() {
+        let sent = PowerLevel::from_dbm(0.0);
+        let received = sent - Decibels::si(60.0) + Decibels::si(2.0);
+        assert_eq!(received, PowerLevel::from_dbm(-58.0));
+        assert_eq!(received - sent, Decibels::si(-58.0));
+        let mut level = received;
+        level += Decibels::si(3.0);
+        level -= Decibels::si(1.0);
+        assert_eq!(level, PowerLevel::from_dbm(-56.0));
+    }
+
+    #[test]
+    fn a_level_is_a_power() {
+        assert_eq!(
+            PowerLevel::from_dbm(0.0).to_power(),
+            Power::from_milliwatts(1.0)
+        );
+        assert_eq!(PowerLevel::from_dbm(30.0).to_power(), Power::si(1.0));
+        assert_eq!(
+            PowerLevel::from_power(Power::si(0.1)),
+            PowerLevel::from_dbm(20.0)
+        );
+        assert_eq!(PowerLevel::from_power(Power::ZERO).dbm(), f64::NEG_INFINITY);
+        assert_eq!("0 dBW".parse(), Ok(PowerLevel::from_dbm(30.0)));
+        assert_eq!("-100 dBm".parse(), Ok(PowerLevel::from_dbm(-100.0)));
+    }
+
+    #[test]
+    fn ten_decibels_are_a_factor_of_ten() {
+        assert_eq!(Decibels::si(10.0).ratio(), 10.0);
+        assert_eq!(Decibels::from_ratio(0.01), Decibels::si(-20.0));
+        assert!((Decibels::si(3.0).ratio() - 1.995_262_3).abs() < 1e-7);
+    }
+}

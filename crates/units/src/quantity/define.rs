@@ -105,7 +105,7 @@ macro_rules! quantity {
 
         impl std::fmt::Display for $Name {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                $crate::quantity::serial::write_quantity(f, self.0, $si)
+                $crate::quantity::print::write_quantity(f, self.0, $si)
             }
         }
 

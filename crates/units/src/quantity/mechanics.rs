@@ -195,3 +195,71 @@ impl From<Duration> for Time {
         Self(duration.as_secs_f64())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_is_that_of_numbers() {
+        let (a, b) = (Speed::si(3.0), Speed::si(-1.0));
+        assert_eq!(a + b, Speed::si(2.0));
+        assert_eq!(a - b, Speed::si(4.0));
+        assert_eq!(-a, a * -1.0);
+        assert_eq!(2.0 * a / 2.0, a);
+        assert_eq!(a / b, -3.0);
+        assert_eq!(b.abs(), Speed::si(1.0));
+        assert_eq!([a, b].iter().sum::<Speed>(), a + b);
+        assert_eq!([a, b].into_iter().sum::<Speed>(), a + b);
+        let mut c = a;
+        c += b;
+        c -= a;
+        c *= 4.0;
+        c /= 2.0;
+        assert_eq!(c, Speed::si(-2.0));
+        assert_eq!(Speed::default(), Speed::ZERO);
+    }
+
+    #[test]
+    fn bounds_hold_even_in_the_wrong_order() {
+        let (low, high) = (Speed::ZERO, Speed::si(2.0));
+        assert_eq!(Speed::si(3.0).clamp(low, high), high);
+        assert_eq!(Speed::si(-3.0).clamp(low, high), low);
+        assert_eq!(Speed::si(1.0).clamp(high, low), low);
+        assert_eq!(low.min(high), low);
+        assert_eq!(low.max(high), high);
+        assert!(Speed::si(f64::NAN).max(low).get().is_nan());
+        let mut speeds = [high, Speed::si(f64::NAN), low];
+        speeds.sort_by(Speed::total_cmp);
+        assert_eq!(speeds[..2], [low, high]);
+    }
+
+    #[test]
+    fn units_are_worth_what_they_should() {
+        assert_eq!(Speed::from_kilometres_per_hour(36.0), Speed::si(10.0));
+        assert_eq!(Angle::from_degrees(180.0), Angle::HALF_TURN);
+        assert_eq!(Angle::from_turns(1.0), Angle::TURN);
+        assert!((AngularRate::from_rpm(60.0) * Time::si(1.0) / Angle::TURN - 1.0).abs() < 1e-15);
+        assert_eq!(Mass::from_grams(128.0).kilograms(), 0.128);
+        assert_eq!(Time::from_hours(1.0), Time::from_minutes(60.0));
+        assert_eq!(
+            Time::from(Duration::from_millis(100)),
+            Time::from_millis(100.0)
+        );
+        assert_eq!("1 h".parse(), Ok(Time::si(3600.0)));
+        assert_eq!("100 ms".parse(), Ok(Time::si(0.1)));
+    }
+
+    #[test]
+    fn angles_have_their_functions() {
+        assert_eq!(
+            Angle::atan2(Length::si(2.0), Length::ZERO),
+            Angle::QUARTER_TURN
+        );
+        assert!((Angle::from_degrees(30.0).sin() - 0.5).abs() < 1e-15);
+        assert!((Angle::from_degrees(60.0).cos() - 0.5).abs() < 1e-15);
+        assert!((Angle::from_degrees(45.0).tan() - 1.0).abs() < 1e-15);
+        assert!((Angle::from_degrees(-450.0).wrapped().degrees() + 90.0).abs() < 1e-12);
+        assert!((Angle::from_degrees(-450.0).wrapped_positive().degrees() - 270.0).abs() < 1e-12);
+    }
+}

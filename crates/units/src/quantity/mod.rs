@@ -34,6 +34,7 @@ mod electricity;
 mod kind;
 mod mechanics;
 mod parse;
+pub(crate) mod print;
 mod products;
 pub(crate) mod serial;
 mod signal;

@@ -192,3 +192,117 @@ fn plain_spelling(unit: &str) -> String {
         .collect::<Vec<_>>()
         .join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Acceleration, Angle, Current, Frequency, Length, Quantity, Temperature, Torque};
+    use proptest::prelude::*;
+
+    fn fault<Q: Quantity>(text: &str) -> String {
+        text.parse::<Q>().unwrap_err().to_string()
+    }
+
+    #[test]
+    fn numbers_are_read_in_every_usual_form() {
+        for (text, metres) in [
+            ("2 m", 2.0),
+            ("2m", 2.0),
+            ("  2 \t m ", 2.0),
+            ("+2 m", 2.0),
+            ("-2 m", -2.0),
+            ("2. m", 2.0),
+            (".5 m", 0.5),
+            ("-.5 m", -0.5),
+            ("2e3 m", 2e3),
+            ("2E-3m", 2e-3),
+            ("1.5e+2 m", 150.0),
+            ("0.1 km", 100.0),
+        ] {
+            assert_eq!(text.parse(), Ok(Length::si(metres)), "{text}");
+        }
+    }
+
+    #[test]
+    fn signs_that_keyboards_lack_are_read_too() {
+        assert_eq!("3 µA".parse(), Ok(Current::from_microamperes(3.0))); // micro sign
+        assert_eq!("3 μA".parse(), Ok(Current::from_microamperes(3.0))); // Greek mu
+        assert_eq!("9.81 m/s²".parse(), Ok(Acceleration::si(9.81)));
+        assert_eq!("180°".parse(), Ok(Angle::HALF_TURN));
+        assert_eq!("20 °C".parse(), Ok(Temperature::from_celsius(20.0)));
+        for text in ["2 N m", "2 N·m", "2 N*m", "2 N  m"] {
+            assert_eq!(text.parse(), Ok(Torque::si(2.0)), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_missing_unit_is_named_and_shown() {
+        assert_eq!(
+            fault::<Angle>("12"),
+            r#"12 needs a unit, for example "12 rad""#
+        );
+        assert_eq!(
+            fault::<Angle>(" -1.5e3 "),
+            r#"-1.5e3 needs a unit, for example "-1.5e3 rad""#
+        );
+    }
+
+    #[test]
+    fn an_unknown_unit_lists_the_known_ones() {
+        assert_eq!(
+            fault::<Angle>("12 m"),
+            r#"unknown unit "m" for an angle; use one of rad, deg, turn"#
+        );
+    }
+
+    #[test]
+    fn a_misspelt_unit_is_recognised() {
+        assert_eq!(
+            fault::<Angle>("12 degs"),
+            r#"unknown unit "degs" for an angle; did you mean "deg"? (use one of rad, deg, turn)"#
+        );
+        assert_eq!(
+            fault::<Frequency>("2.4 ghz"),
+            r#"unknown unit "ghz" for a frequency; did you mean "GHz"? (use one of Hz, kHz, MHz, GHz)"#
+        );
+        assert!(fault::<Acceleration>("1 m/s2").contains(r#"did you mean "m/s^2"?"#));
+        assert!(fault::<Torque>("1 Nm").contains(r#"did you mean "N m"?"#));
+    }
+
+    #[test]
+    fn what_is_no_number_says_what_to_write() {
+        for text in [
+            "", "fast", "m", "1,5 m", "1.2.3 m", "1_000 m", "--1 m", "- 1 m", "1+1 m",
+        ] {
+            assert_eq!(
+                fault::<Length>(text),
+                format!("{text:?} is not a number with a unit; write for example \"1.5 m\"")
+            );
+        }
+    }
+
+    #[test]
+    fn only_finite_numbers_are_quantities() {
+        for text in [
+            "inf m", "-inf m", "NaN m", "infinity", "1e999 m", "1e308 km",
+        ] {
+            assert_eq!(
+                fault::<Length>(text),
+                format!("{text:?} is not finite; a length must be a finite number")
+            );
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text in ".*") {
+            let _ = text.parse::<Length>();
+        }
+
+        #[test]
+        fn near_misses_are_read_or_refused(text in "[+-]?[0-9.eE+-]{0,6} ?[a-zµ°²·/^ ]{0,4}") {
+            if let Ok(length) = text.parse::<Length>() {
+                prop_assert!(length.is_finite());
+            }
+        }
+    }
+}

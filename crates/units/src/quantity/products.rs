@@ -91,3 +91,71 @@ impl Div<DataRate> for f64 {
         Time::si(self / rate.get())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::constants::SPEED_OF_LIGHT;
+
+    #[test]
+    fn products_are_those_of_physics() {
+        let way: Length = Speed::si(3.0) * Time::si(2.0);
+        assert_eq!(way, Length::si(6.0));
+        let speed: Speed = way / Time::si(2.0);
+        assert_eq!(speed, Speed::si(3.0));
+        let time: Time = way / speed;
+        assert_eq!(time, Time::si(2.0));
+        let weight: Force = Mass::from_grams(100.0) * Acceleration::si(9.8);
+        assert!((weight.newtons() - 0.98).abs() < 1e-15);
+        let work: Energy = weight * way;
+        let power: Power = work / time;
+        assert!((power / (weight * speed) - 1.0).abs() < 1e-15);
+        let area: Area = way * way;
+        assert_eq!((area, area / way, area.sqrt()), (Area::si(36.0), way, way));
+        assert_eq!(Force::si(2.0).torque(Length::si(3.0)), Torque::si(6.0));
+        assert_eq!(Angle::TURN / Time::si(2.0) * Time::si(2.0), Angle::TURN);
+    }
+
+    #[test]
+    fn a_battery_is_charge_times_voltage() {
+        let charge = Current::from_milliamperes(500.0) * Time::from_hours(1.0);
+        assert_eq!(charge, Charge::from_milliampere_hours(500.0));
+        let energy: Energy = charge * Voltage::si(3.7);
+        assert!((energy.watt_hours() - 1.85).abs() < 1e-12);
+        let lasts: Time = charge / Current::si(0.25);
+        assert_eq!(lasts, Time::from_hours(2.0));
+    }
+
+    #[test]
+    fn a_wave_of_a_frequency_has_a_length() {
+        let wavelength: Length = SPEED_OF_LIGHT / Frequency::from_megahertz(2450.0);
+        assert!((wavelength.metres() - 0.122_364_268_6).abs() < 1e-9);
+    }
+
+    #[test]
+    fn period_and_frequency_are_inverse() {
+        let rate = Frequency::si(4.0);
+        let period: Time = 1.0 / rate;
+        assert_eq!(period, Time::from_millis(250.0));
+        assert_eq!((rate.period(), period.frequency()), (period, rate));
+        assert_eq!(1.0 / period, rate);
+        let count: f64 = rate * Time::si(3.0);
+        assert_eq!(count, 12.0);
+    }
+
+    #[test]
+    fn bytes_take_time_to_send() {
+        let rate = DataRate::from_kilobits_per_second(250.0);
+        assert_eq!(rate.airtime(125), Time::from_millis(4.0));
+        assert_eq!(1000.0 / rate, Time::from_millis(4.0));
+        assert_eq!(rate * Time::si(1.0), 250_000.0);
+    }
+
+    #[test]
+    fn noise_on_a_parameter_needs_no_conversion() {
+        let (heading_sigma, gauss) = (Angle::from_degrees(10.0), -0.5);
+        let turn = heading_sigma * gauss;
+        assert!((turn.degrees() + 5.0).abs() < 1e-12);
+        assert_eq!(gauss * heading_sigma, turn);
+    }
+}

@@ -1,27 +1,11 @@
 //! Quantities in serde and in JSON schema: strings with units, never bare numbers.
 
+use super::print::Number;
 use super::{Quantity, QuantityError};
 use schemars::{Schema, json_schema};
 use serde::{Deserializer, Serializer, de, ser::Error as _};
 use std::fmt;
 use std::marker::PhantomData;
-
-/// The number as people write it: plain in everyday magnitudes, with an exponent outside, always
-/// reading back as the same bits. Honours precision and width of the format.
-pub(crate) fn write_quantity(f: &mut fmt::Formatter<'_>, value: f64, unit: &str) -> fmt::Result {
-    let everyday = value == 0.0 || (1e-5..1e16).contains(&value.abs()) || !value.is_finite();
-    let text = match f.precision() {
-        Some(digits) => format!("{value:.digits$} {unit}"),
-        None if everyday => format!("{value} {unit}"),
-        None => format!("{value:e} {unit}"),
-    };
-    match (f.width(), f.align()) {
-        (None, _) => f.write_str(&text),
-        (Some(width), Some(fmt::Alignment::Left)) => write!(f, "{text:<width$}"),
-        (Some(width), Some(fmt::Alignment::Center)) => write!(f, "{text:^width$}"),
-        (Some(width), _) => write!(f, "{text:>width$}"),
-    }
-}
 
 /// The body of every `Serialize`: the text. A number that is not finite is refused, since it could
 /// not be read back.
@@ -77,7 +61,11 @@ impl<Q: Quantity> de::Visitor<'_> for QuantityVisitor<Q> {
     }
 
     fn visit_f64<E: de::Error>(self, number: f64) -> Result<Q, E> {
-        Self::bare(number)
+        if number.is_finite() {
+            return Self::bare(Number(number));
+        }
+        let (text, noun) = (number.to_string(), Q::NOUN);
+        Err(E::custom(QuantityError::NotFinite { text, noun }))
     }
 }
 

@@ -368,3 +368,146 @@ impl schemars::JsonSchema for Attitude {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Speed;
+    use crate::space::Rate;
+    use crate::{Time, Velocity};
+    use proptest::prelude::*;
+    use std::f64::consts::PI;
+
+    fn degrees(angle: f64) -> Angle {
+        Angle::from_degrees(angle)
+    }
+
+    fn close(a: DVec3, b: DVec3) -> bool {
+        a.abs_diff_eq(b, 1e-14)
+    }
+
+    #[test]
+    fn the_identity_looks_east_upright() {
+        let a = Attitude::default();
+        assert_eq!(
+            [a.forward(), a.left(), a.up()],
+            [DVec3::X, DVec3::Y, DVec3::Z]
+        );
+        assert_eq!((a.yaw(), a.heading()), (Yaw::EAST, Heading::EAST));
+    }
+
+    #[test]
+    fn a_body_with_heading_north_flies_north() {
+        let a = Attitude::from_heading(Heading::NORTH);
+        assert!(close(a.forward(), DVec3::Y));
+        assert!(close(a.left(), DVec3::NEG_X));
+        let forward = Velocity::<Flu>::new(Speed::si(2.0), Speed::ZERO, Speed::ZERO);
+        let flown = a * forward;
+        assert!((flown.north() - Speed::si(2.0)).abs() < Speed::si(1e-14));
+        assert!((a.heading() - Heading::NORTH).abs() < degrees(1e-12));
+    }
+
+    #[test]
+    fn positive_pitch_is_nose_down_and_positive_roll_lifts_the_left_side() {
+        let down = Attitude::from_rpy(Angle::ZERO, degrees(30.0), Yaw::EAST);
+        assert!((down.forward().z + 0.5).abs() < 1e-15);
+        assert!((down.pitch() - degrees(30.0)).abs() < degrees(1e-12));
+        let rolled = Attitude::from_rpy(degrees(30.0), Angle::ZERO, Yaw::EAST);
+        assert!((rolled.left().z - 0.5).abs() < 1e-15);
+        assert!((rolled.roll() - degrees(30.0)).abs() < degrees(1e-12));
+    }
+
+    #[test]
+    fn straight_up_has_no_yaw_but_is_no_error() {
+        let up = Attitude::from_rpy(Angle::ZERO, degrees(-90.0), Yaw::NORTH);
+        assert!((up.pitch() + degrees(90.0)).abs() < degrees(1e-5));
+        assert!(up.yaw().angle().is_finite());
+    }
+
+    #[test]
+    fn composing_turns_first_by_the_inner() {
+        // A camera that looks to the left of a body that flies north looks west.
+        let world_from_body = Attitude::from_heading(Heading::NORTH);
+        let body_from_camera = Attitude::from_yaw(Yaw::NORTH);
+        let world_from_camera = world_from_body * body_from_camera;
+        assert!(close(world_from_camera.forward(), DVec3::NEG_X));
+    }
+
+    #[test]
+    fn turning_at_a_constant_rate_is_the_exponential() {
+        let rate = Rate::<Flu>::from_xyz(0.0, 0.0, PI / 2.0);
+        let a = Attitude::IDENTITY * Attitude::exp(rate * Time::si(1.0));
+        assert!(close(a.forward(), DVec3::Y)); // counter-clockwise: from east to north
+        assert_eq!(Attitude::exp(V3::ZERO), Attitude::IDENTITY);
+        assert!((a.angle_to(Attitude::IDENTITY) - degrees(90.0)).abs() < degrees(1e-12));
+    }
+
+    #[test]
+    fn a_quaternion_without_length_is_no_attitude() {
+        assert!(Attitude::from_wxyz(0.0, 0.0, 0.0, 0.0).is_none());
+        assert!(Attitude::from_wxyz(f64::NAN, 0.0, 0.0, 0.0).is_none());
+        assert!(Attitude::from_wxyz(f64::INFINITY, 0.0, 0.0, 0.0).is_none());
+        assert_eq!(
+            Attitude::from_wxyz(2.0, 0.0, 0.0, 0.0),
+            Some(Attitude::IDENTITY)
+        );
+        let lost = Attitude::from_unit_quat(DQuat::from_xyzw(f64::NAN, 0.0, 0.0, 1.0));
+        assert_eq!(lost.renormalized(), Attitude::IDENTITY);
+    }
+
+    fn any_vector(size: f64) -> impl Strategy<Value = DVec3> {
+        [-size..size, -size..size, -size..size].prop_map(DVec3::from_array)
+    }
+
+    proptest! {
+        #[test]
+        fn rotating_there_and_back_changes_nothing(r in any_vector(3.0), v in any_vector(100.0)) {
+            let a = Attitude::exp(V3::from_si(r));
+            let in_body = V3::<Speed, Flu>::from_si(v);
+            let back = a.unrotate(a.rotate(in_body));
+            prop_assert!(back.distance(in_body) < Speed::si(1e-12));
+            prop_assert!((a.rotate(in_body).length() - in_body.length()).abs() < Speed::si(1e-12));
+            prop_assert!((a.inverse() * a).angle_to(Attitude::IDENTITY) < Angle::si(1e-14));
+        }
+
+        #[test]
+        fn the_logarithm_undoes_the_exponential(r in any_vector(1.8)) {
+            let back = Attitude::exp(V3::from_si(r)).log();
+            prop_assert!(back.si().abs_diff_eq(r, 1e-12), "{r} became {back}");
+        }
+
+        #[test]
+        fn tiny_rotations_keep_their_digits(r in any_vector(1.0), exponent in -290..-3_i32) {
+            let r = r * libm::pow(10.0, f64::from(exponent));
+            let back = Attitude::exp(V3::from_si(r)).log().si();
+            prop_assert!((back - r).length() <= 1e-15 * r.length() + 1e-300, "{r} became {back}");
+        }
+
+        #[test]
+        fn the_rotation_to_another_attitude_leads_there(r in any_vector(3.0), s in any_vector(3.0)) {
+            let (a, b) = (Attitude::exp(V3::from_si(r)), Attitude::exp(V3::from_si(s)));
+            let reached = a * Attitude::exp(a.rotation_to(b));
+            prop_assert!(reached.angle_to(b) < Angle::si(1e-7));
+            prop_assert!(close(reached.forward(), b.forward()));
+            prop_assert!(a.angle_to(b) <= Angle::si(PI));
+        }
+
+        #[test]
+        fn roll_pitch_and_yaw_are_read_back(
+            roll in -179.0..179.0_f64, pitch in -89.0..89.0_f64, yaw in -179.0..179.0_f64,
+        ) {
+            let yaw = Yaw::new(degrees(yaw));
+            let a = Attitude::from_rpy(degrees(roll), degrees(pitch), yaw);
+            prop_assert!((a.roll() - degrees(roll)).abs() < Angle::si(1e-12));
+            prop_assert!((a.pitch() - degrees(pitch)).abs() < Angle::si(1e-12));
+            prop_assert!((a.yaw() - yaw).abs() < Angle::si(1e-12));
+        }
+
+        #[test]
+        fn the_matrix_is_the_same_rotation(r in any_vector(3.0), v in any_vector(10.0)) {
+            let a = Attitude::exp(V3::from_si(r));
+            let rotated = a.rotate(V3::<Speed, Flu>::from_si(v)).si();
+            prop_assert!((a.matrix() * v).abs_diff_eq(rotated, 1e-13));
+        }
+    }
+}

@@ -21,7 +21,7 @@ use std::str::FromStr;
 /// let west = Heading::NORTH - Angle::QUARTER_TURN;
 /// assert_eq!(west, Heading::WEST);
 /// assert_eq!(west.angle().degrees(), 270.0);
-/// assert_eq!(Yaw::from(west), Yaw::new(Angle::HALF_TURN));
+/// assert_eq!(Yaw::from(west), Yaw::WEST);
 /// ```
 #[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
 pub struct Heading(Angle);
@@ -55,6 +55,17 @@ impl Heading {
         self.0
     }
 
+    /// From a number of radians clockwise from north, as [`Heading::new`].
+    pub fn si(radians: f64) -> Self {
+        Self::new(Angle::si(radians))
+    }
+
+    /// As a number of radians clockwise from north, in [0, 2π).
+    #[inline]
+    pub const fn get(self) -> f64 {
+        self.0.get()
+    }
+
     /// The direction of the horizontal part of a vector; north if it has none.
     pub fn of<Q: VectorQuantity>(vector: V3<Q, Enu>) -> Self {
         let v = vector.si();
@@ -69,6 +80,15 @@ impl Heading {
 }
 
 impl Yaw {
+    /// Along the first axis of [`Enu`].
+    pub const EAST: Self = Self(Angle::ZERO);
+    /// Along the second axis of [`Enu`].
+    pub const NORTH: Self = Self(Angle::QUARTER_TURN);
+    /// Against the first axis of [`Enu`].
+    pub const WEST: Self = Self(Angle::HALF_TURN);
+    /// Against the second axis of [`Enu`].
+    pub const SOUTH: Self = Self(Angle::si(-FRAC_PI_2));
+
     /// From an angle counter-clockwise from east, wrapped to (-π, π]; NaN if the angle is not
     /// finite.
     pub fn new(counter_clockwise_from_east: Angle) -> Self {
@@ -79,6 +99,17 @@ impl Yaw {
     #[inline]
     pub const fn angle(self) -> Angle {
         self.0
+    }
+
+    /// From a number of radians counter-clockwise from east, as [`Yaw::new`].
+    pub fn si(radians: f64) -> Self {
+        Self::new(Angle::si(radians))
+    }
+
+    /// As a number of radians counter-clockwise from east, in (-π, π].
+    #[inline]
+    pub const fn get(self) -> f64 {
+        self.0.get()
     }
 
     /// The direction of the horizontal part of a vector; east if it has none.

@@ -169,3 +169,59 @@ impl Mul<f64> for Wrench {
         Self::new(self.force * factor, self.torque * factor)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Heading, Length, Yaw};
+
+    /// 10 m east of the origin, nose to the north.
+    fn north_bound() -> Pose {
+        let attitude = Attitude::from_heading(Heading::NORTH);
+        Pose::new(Position::from_xyz(10.0, 0.0, 0.0), attitude)
+    }
+
+    #[test]
+    fn a_place_on_the_body_is_found_in_the_world_and_back() {
+        let nose = Offset::from_xyz(0.5, 0.0, 0.0);
+        let in_world = north_bound().to_world(nose);
+        let expected = Position::from_xyz(10.0, 0.5, 0.0);
+        assert!(in_world.distance(expected) < Length::si(1e-14));
+        assert!(north_bound().to_body(in_world).distance(nose) < Length::si(1e-14));
+    }
+
+    #[test]
+    fn a_mounted_part_has_a_pose_in_the_world() {
+        let left_eye = Mount::new(
+            Offset::from_xyz(0.1, 0.1, 0.0),
+            Attitude::from_yaw(Yaw::NORTH),
+        );
+        let eye = north_bound() * left_eye;
+        assert!(eye.position.distance(Position::from_xyz(9.9, 0.1, 0.0)) < Length::si(1e-14));
+        assert!((eye.attitude.heading() - Heading::WEST).abs().get() < 1e-14);
+        assert_eq!(north_bound() * Mount::IDENTITY, north_bound());
+    }
+
+    #[test]
+    fn a_turning_body_moves_faster_outside() {
+        let twist = Twist::new(
+            Velocity::from_xyz(1.0, 0.0, 0.0),
+            Rate::from_xyz(0.0, 0.0, 2.0),
+        );
+        let right_wing = Offset::from_xyz(0.0, -0.5, 0.0);
+        let v = twist.velocity_at(right_wing, Attitude::IDENTITY);
+        assert_eq!(v, Velocity::from_xyz(2.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_force_off_centre_turns() {
+        // Pushing the nose to the left turns counter-clockwise.
+        let push = ForceVec::from_xyz(0.0, 3.0, 0.0);
+        let nose = Offset::from_xyz(0.5, 0.0, 0.0);
+        let wrench = Wrench::from_force_at(push, nose, Attitude::IDENTITY);
+        assert_eq!(wrench.force, ForceVec::from_xyz(0.0, 3.0, 0.0));
+        assert_eq!(wrench.torque, TorqueVec::from_xyz(0.0, 0.0, 1.5));
+        assert_eq!(wrench + -wrench, Wrench::ZERO);
+        assert_eq!(wrench + wrench, wrench * 2.0);
+    }
+}

@@ -1,6 +1,7 @@
 //! Vectors of a quantity in a frame.
 
 use super::{Enu, Flu, Frame};
+use crate::quantity::print::Number;
 use crate::quantity::{
     Acceleration, AngularRate, Force, Length, Quantity, Speed, Torque, VectorQuantity, serial,
 };
@@ -216,17 +217,11 @@ impl<Q, F> PartialEq for V3<Q, F> {
 /// `(1, 2.5, 0) m ENU`; a precision applies to each number.
 impl<Q: Quantity, F: Frame> fmt::Display for V3<Q, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z] = self.si.to_array();
-        let (unit, frame) = (Q::UNITS[0].name, F::NAME);
-        match f.precision() {
-            Some(digits) => {
-                write!(
-                    f,
-                    "({x:.digits$}, {y:.digits$}, {z:.digits$}) {unit} {frame}"
-                )
-            }
-            None => write!(f, "({x}, {y}, {z}) {unit} {frame}"),
+        for (component, before) in self.si.to_array().into_iter().zip(["(", ", ", ", "]) {
+            f.write_str(before)?;
+            fmt::Display::fmt(&Number(component), f)?;
         }
+        write!(f, ") {} {}", Q::UNITS[0].name, F::NAME)
     }
 }
 
@@ -420,5 +415,84 @@ impl<Q: VectorQuantity, F: Frame> schemars::JsonSchema for V3<Q, F> {
             "maxItems": 3,
             "x-frame": F::NAME,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::{Angle, Mass, Time};
+
+    #[test]
+    fn components_are_named_by_the_frame() {
+        let [one, two, three] = [1.0, 2.0, 3.0].map(Length::si);
+        let p = Position::new(one, two, three);
+        assert_eq!([p.east(), p.north(), p.up()], [one, two, three]);
+        let o = Offset::new(one, two, three);
+        assert_eq!([o.forward(), o.left(), o.up()], [one, two, three]);
+        assert_eq!(Position::from([one, two, three]), p);
+        assert_eq!(p.horizontal(), Position::from_xyz(1.0, 2.0, 0.0));
+    }
+
+    #[test]
+    fn arithmetic_is_that_of_vectors() {
+        let a = Position::from_xyz(1.0, 2.0, 3.0);
+        let b = Position::from_xyz(4.0, 6.0, 3.0);
+        assert_eq!(a + b, Position::from_xyz(5.0, 8.0, 6.0));
+        assert_eq!(b - a, Position::from_xyz(3.0, 4.0, 0.0));
+        assert_eq!(-a, a * -1.0);
+        assert_eq!(2.0 * a, a + a);
+        assert_eq!((a + a) / 2.0, a);
+        assert_eq!(a.distance(b), Length::si(5.0));
+        assert_eq!(a.dot(b), 25.0);
+        assert_eq!([a, b].into_iter().sum::<Position>(), a + b);
+        let mut c = a;
+        c += b;
+        c -= a;
+        c *= 2.0;
+        c /= 2.0;
+        assert_eq!(c, b);
+        assert_eq!(Position::default(), Position::ZERO);
+    }
+
+    #[test]
+    fn a_vector_times_a_quantity_is_a_vector_of_the_product() {
+        let v = Velocity::<Enu>::from_xyz(1.0, 2.0, 3.0);
+        let dt = Time::si(2.0);
+        let way: Position = v * dt;
+        assert_eq!(way, Position::from_xyz(2.0, 4.0, 6.0));
+        assert_eq!(dt * v, way);
+        let back: Velocity<Enu> = way / dt;
+        assert_eq!(back, v);
+        let force: ForceVec<Enu> = Mass::si(0.5) * (v / dt);
+        assert_eq!(force, ForceVec::from_xyz(0.25, 0.5, 0.75));
+        let turn: V3<Angle, Flu> = Rate::from_xyz(0.0, 0.0, 1.5) * dt;
+        assert_eq!(turn.up(), Angle::si(3.0));
+    }
+
+    #[test]
+    fn limit_shortens_and_keeps_the_direction() {
+        let v = Velocity::<Flu>::from_xyz(3.0, 4.0, 0.0);
+        assert_eq!(v.limit(Speed::si(10.0)), v);
+        assert_eq!(v.limit(Speed::si(2.5)), v / 2.0);
+        assert_eq!(v.limit(Speed::ZERO), Velocity::ZERO);
+        assert_eq!(v.limit(Speed::si(-1.0)), Velocity::ZERO);
+        assert_eq!(Velocity::<Flu>::ZERO.limit(Speed::ZERO), Velocity::ZERO);
+    }
+
+    #[test]
+    fn only_vectors_with_a_length_have_a_direction() {
+        let direction = Position::from_xyz(0.0, 3.0, 4.0).direction().unwrap();
+        assert!(direction.abs_diff_eq(DVec3::new(0.0, 0.6, 0.8), 1e-15));
+        assert!(Position::ZERO.direction().is_none());
+        assert!(Position::from_xyz(f64::NAN, 0.0, 0.0).direction().is_none());
+        let back = Position::along(direction, Length::si(5.0));
+        assert!(back.distance(Position::from_xyz(0.0, 3.0, 4.0)) < Length::si(1e-14));
+    }
+
+    #[test]
+    fn a_vector_costs_three_numbers() {
+        assert_eq!(size_of::<Position>(), 24);
+        assert_eq!(size_of::<Option<crate::Pose>>(), 64);
     }
 }
