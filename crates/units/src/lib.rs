@@ -24,8 +24,8 @@
 //! **A quantity is an `f64` in SI with a type.** [`Speed`] plus [`Time`] does not compile; [`Speed`]
 //! times [`Time`] is a [`Length`]. In text a quantity carries its unit, always: `"0.2 m/s"`,
 //! `"-100 dBm"`. A bare number is an error, in scenario files too, and every error says what to
-//! write instead. Inside hot loops the bare number comes out with [`Length::si`] and goes in again
-//! with `Length::get`; both cost nothing.
+//! write instead. Inside hot loops the bare number comes out with [`Length::get`] and goes in again
+//! with [`Length::si`]; both cost nothing.
 //!
 //! **A vector has a frame.** The world is [`Enu`] (east, north, up), the body is [`Flu`] (forward,
 //! left, up); both are right-handed, as in ROS REP-103. Adding a vector of one to a vector of the

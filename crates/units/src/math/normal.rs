@@ -179,7 +179,6 @@ mod tests {
 
     #[test]
     fn the_test_values_of_the_paper_come_out() {
-        // Applied Statistics 37(3), p. 482: p = 0.25, 0.001, 1e-20.
         assert!((normal_quantile(0.25) + 0.674_489_750_196_081_7).abs() < 1e-15);
         assert!((normal_quantile(0.001) + 3.090_232_306_167_814).abs() < 4e-15);
         assert!((normal_quantile(1e-20) + 9.262_340_089_798_408).abs() < 1e-14);
@@ -213,7 +212,7 @@ mod tests {
             let p = if upper { 1.0 - tail } else { tail };
             let x = normal_quantile(p);
             if x.is_finite() {
-                // dp/p = -x dx/x * x for the tail: an error of one bit in x counts x² times.
+                // In the tail dp/p is about -x² dx/x: an error of one bit in x counts x² times.
                 let bits = 4.0 + x * x;
                 let error = (normal_cdf(x) / p - 1.0).abs();
                 prop_assert!(error < bits * 4.0 * f64::EPSILON, "p = {p}, x = {x}: {error:e}");
@@ -228,8 +227,8 @@ mod tests {
 
         #[test]
         fn the_quantile_does_not_fall(p in 0.0..1.0_f64, step in 1e-12..0.5_f64) {
-            prop_assume!(p + step <= 1.0);
-            prop_assert!(normal_quantile(p) <= normal_quantile(p + step));
+            let above = (p + step).min(1.0);
+            prop_assert!(normal_quantile(p) <= normal_quantile(above));
         }
     }
 }
