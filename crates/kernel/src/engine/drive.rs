@@ -45,7 +45,7 @@ impl<D: Domain> Engine<D> {
         if let Some(error) = &self.failed {
             return Err(error.clone());
         }
-        let until = until.min(self.settings.limits.end);
+        let until = until.min(self.settings.limits.end).max(self.now);
         let result = match self.pool.as_ref().map(Arc::clone) {
             // The loop itself runs on a thread of the pool: handing out a round is then a push to a
             // local queue instead of a message between threads.
@@ -86,49 +86,78 @@ impl<D: Domain> Engine<D> {
     fn drive(&mut self, until: SimTime) -> Result<Status, RunError> {
         loop {
             let queued = self.queue.next_time();
-            let next = match (queued, self.domain.next_time()) {
-                _ if self.again => self.now,
-                (Some(a), Some(b)) => a.min(b).max(self.now),
-                (Some(a), None) => a,
-                (None, Some(b)) => b.max(self.now),
-                (None, None) => return Ok(self.exhausted()),
-            };
-            if self.instant == Some(next) {
-                self.round += 1;
-                self.check_rounds()?;
+            let next = if self.again {
+                Some(self.now)
             } else {
-                if let Some(reason) = &self.stopped {
-                    return Ok(Status::Stopped(reason.clone()));
+                match (queued, self.domain.next_time()) {
+                    (Some(queued), Some(shared)) => Some(queued.min(shared).max(self.now)),
+                    (Some(time), None) | (None, Some(time)) => Some(time.max(self.now)),
+                    (None, None) => None,
                 }
-                let idle = next > until;
-                let target = if idle { until } else { next };
-                match self.pacer.gate(target, idle, self.settings.limits.wall) {
-                    Gate::Go => {}
-                    Gate::Stop(reason) => {
-                        self.stopped = Some(reason.clone());
-                        return Ok(Status::Stopped(reason));
+            };
+            match next {
+                Some(next) if self.instant == Some(next) => {
+                    self.round += 1;
+                    self.check_rounds()?;
+                }
+                Some(next) if next <= until => {
+                    if self.reached != Some(next)
+                        && let Some(status) = self.pass(next, false)
+                    {
+                        return Ok(status);
                     }
-                    Gate::WallTime => return Ok(Status::WallTime),
+                    self.begin(next);
                 }
-                self.now = target;
-                if idle {
-                    return Ok(Status::Reached);
-                }
-                self.instant = Some(next);
-                self.round = 0;
-                self.instant_events = 0;
-                self.awake.clear();
-                self.stats.instants += 1;
-                self.trace.begin(next);
+                _ => return Ok(self.rest(until, next.is_none())),
             }
-            self.one_round(queued == Some(next))?;
+            self.one_round(queued == next)?;
         }
     }
 
-    fn exhausted(&self) -> Status {
-        match &self.stopped {
-            Some(reason) => Status::Stopped(reason.clone()),
-            None => Status::Exhausted,
+    /// Lets time come to `target`; a status if the run has to stop before.
+    fn pass(&mut self, target: SimTime, idle: bool) -> Option<Status> {
+        if let Some(reason) = &self.stopped {
+            return Some(Status::Stopped(reason.clone()));
+        }
+        match self.pacer.gate(target, idle, self.settings.limits.wall) {
+            Gate::Go => {
+                self.now = target;
+                self.reached = Some(target);
+                None
+            }
+            Gate::Stop(reason) => {
+                self.stopped = Some(reason.clone());
+                Some(Status::Stopped(reason))
+            }
+            Gate::WallTime => Some(Status::WallTime),
+        }
+    }
+
+    /// Begins an instant: its first round follows.
+    fn begin(&mut self, now: SimTime) {
+        self.instant = Some(now);
+        self.round = 0;
+        self.instant_events = 0;
+        self.awake.clear();
+        self.stats.instants += 1;
+        self.trace.begin(now);
+    }
+
+    /// Nothing more happens up to `until`: the clock goes there, unless that is the end of time.
+    fn rest(&mut self, until: SimTime, exhausted: bool) -> Status {
+        if let Some(reason) = &self.stopped {
+            return Status::Stopped(reason.clone());
+        }
+        if until != SimTime::MAX
+            && self.reached != Some(until)
+            && let Some(status) = self.pass(until, true)
+        {
+            return status;
+        }
+        if exhausted {
+            Status::Exhausted
+        } else {
+            Status::Reached
         }
     }
 

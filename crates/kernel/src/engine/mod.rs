@@ -59,6 +59,8 @@ pub struct Engine<D: Domain> {
 
     /// How far the run has come.
     now: SimTime,
+    /// The time that pacing has let the run come to, if it has begun.
+    reached: Option<SimTime>,
     /// The last instant in which a round was run.
     instant: Option<SimTime>,
     /// Rounds of this instant before the one under way.
@@ -128,6 +130,7 @@ impl<D: Domain> Engine<D> {
             stats: Stats::default(),
             progress: Arc::default(),
             now: SimTime::ZERO,
+            reached: None,
             instant: None,
             round: 0,
             instant_events: 0,

@@ -64,9 +64,11 @@ impl Default for Limits {
 pub enum Status {
     /// Everything up to and including the asked time (or [`Limits::end`], if earlier) is done.
     Reached,
-    /// Nothing is pending any more; the clock stands at the last instant.
+    /// The same, and nothing is pending any more. The clock stands at the asked time, or, if that was
+    /// [`SimTime::MAX`], at the last instant.
     Exhausted,
-    /// A model or [`Control::stop`](crate::Control::stop) ended the run, after a whole instant. Final.
+    /// A model or [`Control::stop`](crate::Control::stop) ended the run, after a whole instant.
+    /// Final: what can still be run are events that are scheduled for this very time, as last words.
     Stopped(String),
     /// [`Limits::wall`] is used up. The run may go on if the limit is raised.
     WallTime,

@@ -1,6 +1,7 @@
 //! A named stream of random numbers.
 
 use super::{key::mix, path_key, philox::philox4x32};
+use simbeeotic_units::{glam::DVec3, math};
 use std::ops::Range;
 
 /// A stream of random numbers, a function of (master seed, path of the part, purpose) alone.
@@ -115,18 +116,16 @@ impl Stream {
         self.uniform() < p
     }
 
-    // GATE
-    #[cfg(any())]
     /// Normal with mean 0 and standard deviation 1, by inversion: one draw each, |x| < 8.3.
     #[inline]
     pub fn normal(&mut self) -> f64 {
-        simbeeotic_units::math::normal_quantile(self.uniform_open())
+        math::normal_quantile(self.uniform_open())
     }
 
     /// Exponential with mean 1, always positive, by inversion: one draw each. Scale by the mean.
     #[inline]
     pub fn exponential(&mut self) -> f64 {
-        -libm::log(self.uniform_open())
+        -math::ln(self.uniform_open())
     }
 
     /// Puts `items` in an order drawn uniformly from all orders (Fisher-Yates).
@@ -140,13 +139,13 @@ impl Stream {
     /// A direction drawn uniformly from the sphere, length 1 within rounding.
     ///
     /// Source: Marsaglia 1972, "Choosing a point from the surface of a sphere", Ann. Math. Stat. 43(2).
-    pub fn unit_vector(&mut self) -> [f64; 3] {
+    pub fn unit_vector(&mut self) -> DVec3 {
         loop {
             let (a, b) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);
             let s = a * a + b * b;
             if s < 1.0 {
                 let root = 2.0 * (1.0 - s).sqrt();
-                return [a * root, b * root, 1.0 - 2.0 * s];
+                return DVec3::new(a * root, b * root, 1.0 - 2.0 * s);
             }
         }
     }
@@ -154,11 +153,12 @@ impl Stream {
     /// A point drawn uniformly from the ball of this radius around the origin, in the unit of `radius`.
     ///
     /// Takes points of the cube until one lies in the ball: 5.7 draws on average.
-    pub fn in_ball(&mut self, radius: f64) -> [f64; 3] {
+    pub fn in_ball(&mut self, radius: f64) -> DVec3 {
         loop {
-            let p: [f64; 3] = std::array::from_fn(|_| 2.0 * self.uniform() - 1.0);
-            if p[0] * p[0] + p[1] * p[1] + p[2] * p[2] <= 1.0 {
-                return p.map(|x| x * radius);
+            let [x, y, z] = std::array::from_fn(|_| 2.0 * self.uniform() - 1.0);
+            let point = DVec3::new(x, y, z);
+            if point.length_squared() <= 1.0 {
+                return point * radius;
             }
         }
     }
@@ -251,7 +251,6 @@ mod tests {
         assert!((variance - 1.0 / 12.0).abs() < 0.002, "variance {variance}");
     }
 
-    #[cfg(any())]
     #[test]
     fn normal_has_the_moments_of_the_normal() {
         let mut s = stream();
@@ -326,28 +325,22 @@ mod tests {
     #[test]
     fn unit_vectors_have_length_one_and_no_preferred_side() {
         let mut s = stream();
-        let mut sum = [0.0; 3];
+        let mut mean = DVec3::ZERO;
         for _ in 0..20_000 {
             let v = s.unit_vector();
-            let norm = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-            assert!((norm - 1.0).abs() < 1e-14);
-            (0..3).for_each(|i| sum[i] += v[i] / 20_000.0);
+            assert!((v.length_squared() - 1.0).abs() < 1e-14);
+            mean += v / 20_000.0;
         }
-        assert!(sum.iter().all(|m| m.abs() < 0.02), "{sum:?}");
+        assert!(mean.abs().max_element() < 0.02, "{mean}");
     }
 
     #[test]
     fn points_fill_the_ball_evenly() {
         let mut s = stream();
-        let inner = (0..20_000)
-            .filter(|_| {
-                let p = s.in_ball(20.0);
-                let r = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-                assert!(r <= 20.0);
-                r < 10.0
-            })
-            .count();
+        let radii: Vec<f64> = (0..20_000).map(|_| s.in_ball(20.0).length()).collect();
+        assert!(radii.iter().all(|r| *r <= 20.0));
         // Half the radius holds an eighth of the volume.
+        let inner = radii.iter().filter(|r| **r < 10.0).count();
         assert!(
             (2_300..2_700).contains(&inner),
             "{inner} of 20,000 within half the radius"
