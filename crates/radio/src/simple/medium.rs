@@ -1,0 +1,490 @@
+//! The simple medium at work.
+
+use super::SimpleConfig;
+use super::band::{Band, Mode};
+use super::pair::{Between, listen, pick, tell};
+use super::radio::{Heard, Radio};
+use super::success::{Curve, Noise};
+use crate::channel::Channel;
+use crate::counters::{Counters, Loss};
+use crate::frame::{Frame, Outcome, Request};
+use crate::inbox::{Inbox, Receiver};
+use crate::ledger::Usage;
+use crate::medium::{Command, Medium, Poses};
+use crate::propagation::Propagation;
+use crate::radio::{RadioError, RadioId, RadioSpec, RadioState};
+use crate::scratch::{ROW, Scratch};
+use simbeeotic_kernel::rng::{draw_u64, path_key};
+use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_units::PowerLevel;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The medium of the paper: see the [module](crate::simple).
+#[derive(Debug)]
+pub struct SimpleMedium {
+    config: SimpleConfig,
+    /// The seed of this medium's draws.
+    luck: u64,
+    radios: Vec<Radio>,
+    keys: BTreeSet<u64>,
+    bands: Vec<Band>,
+    curves: Vec<Curve>,
+    /// Lengths of frames that came up, bytes on the air.
+    lengths: Vec<usize>,
+    /// Frames for the next round, and outcomes.
+    waiting: Vec<Frame>,
+    reports: Vec<(RadioId, Outcome)>,
+    due: Option<SimTime>,
+    /// Changes of channel that wait for the frames sent before them.
+    tunings: Vec<(RadioId, Channel)>,
+    /// The present round and its outcomes, by radio.
+    now: SimTime,
+    round: u64,
+    reported: Vec<RadioId>,
+    outcomes: Vec<Outcome>,
+    scratch: Scratch,
+}
+
+impl SimpleMedium {
+    /// A medium without radios.
+    ///
+    /// # Errors
+    /// Noise or range that make no sense.
+    pub fn new(config: SimpleConfig) -> Result<Self, RadioError> {
+        config.check()?;
+        Ok(Self {
+            luck: draw_u64(config.seed, path_key("radio"), path_key("simple")),
+            config,
+            radios: Vec::new(),
+            keys: BTreeSet::new(),
+            bands: Vec::new(),
+            curves: Vec::new(),
+            lengths: Vec::new(),
+            waiting: Vec::new(),
+            reports: Vec::new(),
+            due: None,
+            tunings: Vec::new(),
+            now: SimTime::ZERO,
+            round: 0,
+            reported: Vec::new(),
+            outcomes: Vec::new(),
+            scratch: Scratch::new(),
+        })
+    }
+
+    fn noise(&self, spec: &RadioSpec) -> Noise {
+        Noise {
+            mean: self.config.noise_floor + spec.noise_figure,
+            sigma: self.config.noise_sigma,
+        }
+    }
+
+    /// Tunes a radio in; returns band and row.
+    fn join(&mut self, radio: RadioId, spec: &RadioSpec, awake: bool) -> (u32, u32) {
+        let noise = self.noise(spec);
+        let curve = index_of(
+            &mut self.curves,
+            |curve| curve.is(&spec.error, noise),
+            || Curve::new(Arc::clone(&spec.error), noise),
+        );
+        let band = index_of(
+            &mut self.bands,
+            |band| band.channel == spec.channel,
+            || Band::new(spec.channel),
+        );
+        let salt = draw_u64(self.luck, spec.key, u64::MAX) as u32;
+        let row = self.bands[band as usize].join(radio.0, spec, curve, salt, awake);
+        (band, row)
+    }
+
+    /// Does the changes of channel whose time has come.
+    fn retune(&mut self) {
+        if self.waiting.is_empty() {
+            for (id, channel) in std::mem::take(&mut self.tunings) {
+                self.move_to(id, channel);
+            }
+        }
+    }
+
+    /// Moves a radio to another band.
+    fn move_to(&mut self, id: RadioId, channel: Channel) {
+        let spec = RadioSpec {
+            channel,
+            ..self.spec(id).clone()
+        };
+        let radio = &self.radios[id.index()];
+        let (old, awake) = (radio.band as usize, !radio.ledger.asleep());
+        let left_sent = self.bands[old].sent;
+        let (follower, [in_range, audible]) = self.bands[old].leave(radio.row);
+        radio.in_range.add(in_range);
+        radio.audible.add(audible);
+        let row = radio.row;
+        if let Some(follower) = follower {
+            self.radios[follower as usize].row = row;
+        }
+        let (band, row) = self.join(id, &spec, awake);
+        let joined_sent = self.bands[band as usize].sent;
+        let radio = &mut self.radios[id.index()];
+        radio.turn_over(left_sent, joined_sent);
+        (radio.band, radio.row, radio.spec) = (band, row, spec);
+    }
+
+    fn report(&mut self, request: &Request, result: Result<(), Loss>) {
+        if let Some(ticket) = request.ticket {
+            self.reports
+                .push((request.radio, Outcome { ticket, result }));
+        }
+    }
+
+    /// Puts the waiting frames on the air.
+    fn send_waiting(&mut self) {
+        for frame in self.waiting.drain(..) {
+            let radio = &mut self.radios[frame.radio.index()];
+            let length = index_of(
+                &mut self.lengths,
+                |&bytes| bytes == frame.bytes,
+                || frame.bytes,
+            );
+            radio.presence.own += 1;
+            let band = &mut self.bands[radio.band as usize];
+            band.send(frame, radio.row, radio.spec.key, length);
+        }
+        for curve in &mut self.curves {
+            curve.prepare(&self.lengths);
+        }
+    }
+
+    /// Moves the outcomes of the last commit to where inboxes find them.
+    fn publish_reports(&mut self, owners: &mut Vec<ModelId>) {
+        self.reported.clear();
+        self.outcomes.clear();
+        // Stable: the outcomes of a radio stay in the order of its requests.
+        self.reports.sort_by_key(|&(radio, _)| radio);
+        for (radio, outcome) in self.reports.drain(..) {
+            owners.push(self.radios[radio.index()].spec.owner);
+            self.reported.push(radio);
+            self.outcomes.push(outcome);
+        }
+    }
+
+    fn outcomes(&self, radio: RadioId) -> &[Outcome] {
+        let first = self.reported.partition_point(|&r| r < radio);
+        let count = self.reported[first..].partition_point(|&r| r == radio);
+        &self.outcomes[first..first + count]
+    }
+
+    /// What a radio hears of the frames in its band, with the hits in `scratch`. Stops after the
+    /// first row with a packet for the owner if `first_only`.
+    fn hear(&self, radio: &Radio, scratch: &mut Scratch, first_only: bool) -> Heard {
+        let band = &self.bands[radio.band as usize];
+        let between = between(
+            &self.config,
+            self.config.propagation.as_ref(),
+            band,
+            self.now,
+        );
+        let (members, air, me) = (&band.members, &band.air, radio.row as usize);
+        let curve = &self.curves[members.curves[me] as usize];
+        let step = if first_only { ROW / 4 } else { ROW };
+
+        scratch.hits.clear();
+        let mut heard = Heard::default();
+        let mut first = 0;
+        while first < air.frames.len() {
+            let end = air.frames.len().min(first + step);
+            let from = scratch.hits.len();
+            let reach = listen(&mut scratch.row, members, me, air, first..end, &between);
+            heard.reach.in_range += reach.in_range;
+            heard.reach.audible += reach.audible;
+            if air.alike {
+                let table = curve.table(air.lengths[0]);
+                pick(scratch, end - first, first, |_, slot| table[slot]);
+            } else {
+                let lengths = &air.lengths[first..end];
+                pick(scratch, end - first, first, |j, slot| {
+                    curve.table(lengths[j])[slot]
+                });
+            }
+            heard.sort_out(air, radio.spec.owner, &mut scratch.hits, from);
+            if first_only && !scratch.hits.is_empty() {
+                break;
+            }
+            first = end;
+        }
+        heard
+    }
+
+    /// Finds all receptions of a band, frame by frame.
+    fn deliver_by_frame(&mut self, band: usize, owners: &mut Vec<ModelId>) {
+        let band = &mut self.bands[band];
+        let propagation = Arc::clone(&self.config.propagation);
+        let between = between(&self.config, propagation.as_ref(), band, self.now);
+        let (members, air, scratch) = (&mut band.members, &band.air, &mut self.scratch);
+        let count = members.owners.len();
+        for frame in 0..air.frames.len() {
+            let mut first = 0;
+            while first < count {
+                let end = count.min(first + ROW);
+                scratch.hits.clear();
+                tell(&mut scratch.row, members, first..end, air, frame, &between);
+                let length = air.lengths[frame];
+                if members.one_curve {
+                    let table = self.curves[members.curves[0] as usize].table(length);
+                    pick(scratch, end - first, first, |_, slot| table[slot]);
+                } else {
+                    let (curves, all) = (&members.curves[first..end], &self.curves);
+                    pick(scratch, end - first, first, |j, slot| {
+                        all[curves[j] as usize].table(length)[slot]
+                    });
+                }
+                for hit in &scratch.hits {
+                    band.delivered.note(hit.frame, frame as u32, hit.power_mw);
+                }
+                first = end;
+            }
+        }
+        band.delivered.sort();
+
+        // What is not for its receiver is taken out again, after it has been booked.
+        for index in 0..band.delivered.rows.len() {
+            let row = band.delivered.rows[index];
+            let radio = &self.radios[members.columns.radios[row as usize] as usize];
+            scratch.hits.clear();
+            scratch.hits.extend_from_slice(band.delivered.hits(row));
+            let mut heard = Heard::default();
+            heard.sort_out(air, radio.spec.owner, &mut scratch.hits, 0);
+            band.delivered.keep(row, &scratch.hits);
+            radio.book(self.round, self.now, &heard);
+            if !scratch.hits.is_empty() {
+                owners.push(radio.spec.owner);
+            }
+        }
+    }
+
+    /// Finds who of a band will receive anything; they look for themselves later. Who will not is
+    /// booked here.
+    fn find_receivers(&mut self, band: usize, owners: &mut Vec<ModelId>) {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let members = &self.bands[band].members;
+        for (&radio, &awake) in members.columns.radios.iter().zip(&members.awake) {
+            if !awake {
+                continue;
+            }
+            let radio = &self.radios[radio as usize];
+            let heard = self.hear(radio, &mut scratch, true);
+            if scratch.hits.is_empty() {
+                radio.book(self.round, self.now, &heard);
+            } else {
+                owners.push(radio.spec.owner);
+            }
+        }
+        self.scratch = scratch;
+    }
+}
+
+fn between<'a>(
+    config: &SimpleConfig,
+    propagation: &'a dyn Propagation,
+    band: &Band,
+    now: SimTime,
+) -> Between<'a> {
+    let range_m = config.range_limit.metres() as f32;
+    Between {
+        propagation,
+        frequency: band.channel.centre,
+        time: now,
+        range_squared_m2: range_m * range_m,
+        directed: band.members.any_directed,
+    }
+}
+
+/// The index of the item that is wanted, after adding it if it is not there.
+fn index_of<T>(items: &mut Vec<T>, wanted: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> u32 {
+    let known = items.iter().position(wanted);
+    known.unwrap_or_else(|| {
+        items.push(make());
+        items.len() - 1
+    }) as u32
+}
+
+impl Medium for SimpleMedium {
+    fn add(&mut self, spec: RadioSpec) -> Result<RadioId, RadioError> {
+        spec.check()?;
+        if !self.keys.insert(spec.key) {
+            return Err(RadioError::DuplicateKey { key: spec.key });
+        }
+        let id = RadioId(self.radios.len() as u32);
+        let (band, row) = self.join(id, &spec, true);
+        let band_sent = self.bands[band as usize].sent;
+        self.radios.push(Radio::new(spec, band, row, band_sent));
+        Ok(id)
+    }
+
+    fn radios(&self) -> usize {
+        self.radios.len()
+    }
+
+    fn spec(&self, radio: RadioId) -> &RadioSpec {
+        &self.radios[radio.index()].spec
+    }
+
+    fn submit(&mut self, now: SimTime, request: Request) {
+        self.retune();
+        let radio = &mut self.radios[request.radio.index()];
+        let bytes = radio.spec.frame_bytes(request.payload.len());
+        let refused = if radio.ledger.asleep() {
+            Some(Loss::SenderAsleep)
+        } else if request.payload.len() > radio.spec.payload_bytes_max {
+            Some(Loss::TooLong)
+        } else {
+            None
+        };
+        if let Some(loss) = refused {
+            radio.refused.lose(loss, 1);
+            if request.ticket.is_some() {
+                self.due = Some(now);
+            }
+            return self.report(&request, Err(loss));
+        }
+        let airtime_ns = (radio.spec.data_rate.airtime(bytes).secs() * 1e9).round() as u64;
+        radio.ledger.transmit(now, airtime_ns);
+        let frame = Frame {
+            payload: Arc::clone(&request.payload),
+            sender: radio.spec.owner,
+            radio: request.radio,
+            destination: request.destination,
+            key: draw_u64(self.luck, radio.spec.key, radio.sent),
+            sent: now,
+            bytes,
+            airtime_ns,
+            power_mw: radio.spec.tx_power.milliwatts() as f32,
+        };
+        radio.sent += 1;
+        self.due = Some(now);
+        self.waiting.push(frame);
+        self.report(&request, Ok(()));
+    }
+
+    fn command(
+        &mut self,
+        now: SimTime,
+        radio: RadioId,
+        command: Command,
+    ) -> Result<(), RadioError> {
+        self.retune();
+        let id = radio;
+        let radio = &mut self.radios[id.index()];
+        let band = &mut self.bands[radio.band as usize];
+        match command {
+            Command::Sleep | Command::Wake => {
+                let awake = command == Command::Wake;
+                if awake == radio.ledger.asleep() {
+                    radio.turn_over(band.sent, band.sent);
+                    band.set_awake(radio.row, awake);
+                    if awake {
+                        radio.ledger.wake(now);
+                    } else {
+                        radio.ledger.sleep(now);
+                    }
+                }
+            }
+            Command::Tune(channel) => {
+                let spec = RadioSpec {
+                    channel,
+                    ..radio.spec.clone()
+                };
+                spec.check()?;
+                self.tunings.push((id, channel));
+            }
+            Command::Power { level, current } => {
+                let mut spec = radio.spec.clone();
+                (spec.tx_power, spec.currents.tx) = (level, current);
+                spec.check()?;
+                radio.ledger.settle(radio.spec.currents.tx);
+                radio.spec = spec;
+            }
+        }
+        Ok(())
+    }
+
+    fn next_time(&self) -> Option<SimTime> {
+        self.due
+    }
+
+    fn open(&mut self, now: SimTime, poses: &dyn Poses, owners: &mut Vec<ModelId>) {
+        owners.clear();
+        self.now = now;
+        self.round += 1;
+        self.due = None;
+        self.retune();
+        self.bands.iter_mut().for_each(Band::clear);
+        self.publish_reports(owners);
+        if !self.waiting.is_empty() {
+            self.send_waiting();
+            for index in 0..self.bands.len() {
+                let band = &mut self.bands[index];
+                let frames = band.air.frames.len();
+                if frames == 0 {
+                    continue;
+                }
+                band.place(now, poses);
+                if frames < self.config.by_receiver_from {
+                    band.mode = Mode::ByFrame;
+                    self.deliver_by_frame(index, owners);
+                } else {
+                    band.mode = Mode::ByReceiver;
+                    self.find_receivers(index, owners);
+                }
+            }
+        }
+        if !owners.is_sorted() {
+            owners.sort_unstable();
+        }
+        owners.dedup();
+    }
+
+    fn collect<'a>(&'a self, id: RadioId, scratch: &'a mut Scratch) -> Inbox<'a> {
+        let radio = &self.radios[id.index()];
+        let band = &self.bands[radio.band as usize];
+        let hits = match band.mode {
+            Mode::Quiet => &[],
+            Mode::ByFrame => band.delivered.hits(radio.row),
+            Mode::ByReceiver => {
+                let heard = self.hear(radio, scratch, false);
+                radio.book(self.round, self.now, &heard);
+                &scratch.hits
+            }
+        };
+        Inbox {
+            radio: id,
+            time: self.now,
+            hits,
+            frames: &band.air.frames,
+            outcomes: self.outcomes(id),
+            receiver: Receiver {
+                noise: self.noise(&radio.spec).mean,
+                error: radio.spec.error.as_ref(),
+            },
+        }
+    }
+
+    fn ambient(&self, radio: RadioId) -> PowerLevel {
+        self.noise(&self.radios[radio.index()].spec).mean
+    }
+
+    fn state(&self, radio: RadioId, now: SimTime) -> RadioState {
+        self.radios[radio.index()].ledger.state(now)
+    }
+
+    fn counters(&self, radio: RadioId) -> Counters {
+        let radio = &self.radios[radio.index()];
+        let band = &self.bands[radio.band as usize];
+        radio.counters(band.sent, &band.members)
+    }
+
+    fn usage(&self, radio: RadioId, until: SimTime) -> Usage {
+        let radio = &self.radios[radio.index()];
+        radio.ledger.usage(&radio.spec.currents, until)
+    }
+}

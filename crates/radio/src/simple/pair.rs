@@ -1,0 +1,269 @@
+//! One pair of sender and receiver, a million times over.
+//!
+//! Rows of pairs are worked column by column in plain loops over slices that the compiler turns into
+//! vector code. There are two kinds of rows, one receiver with many frames and one frame with many
+//! receivers, and one set of rules for a pair: [`square`], [`received_mw`], [`slot`], [`draw_u32`].
+//! Both kinds give the same bits for the same pair.
+
+use super::band::{Air, Members};
+use super::success::{SLOTS, slot};
+use crate::inbox::Hit;
+use crate::propagation::{FrameKeys, Links, Propagation, Role};
+use crate::scratch::{ROW, Row, Scratch};
+use glam::DVec3;
+use simbeeotic_kernel::SimTime;
+use simbeeotic_kernel::rng::draw_u32;
+use simbeeotic_units::{Frequency, Position};
+use std::ops::Range;
+
+/// The numbers of many receivers, a column each.
+#[derive(Debug, Default)]
+pub(super) struct Listeners {
+    /// East, north, up, metres; NaN for who does not listen.
+    pub(super) enu_m: [Vec<f32>; 3],
+    pub(super) radios: Vec<u32>,
+    pub(super) radio_keys: Vec<u64>,
+    /// Gain of an antenna without direction, linear; 1 for those with one.
+    pub(super) gains: Vec<f32>,
+    pub(super) sensitivities_mw: Vec<f32>,
+    /// What the luck of the receiver hangs on.
+    pub(super) salts: Vec<u32>,
+}
+
+/// What is the same for all pairs of a band and round.
+pub(super) struct Between<'a> {
+    pub(super) propagation: &'a dyn Propagation,
+    pub(super) frequency: Frequency,
+    pub(super) time: SimTime,
+    pub(super) range_squared_m2: f32,
+    /// Whether any antenna on the band has a direction.
+    pub(super) directed: bool,
+}
+
+/// How many frames of a row came within range, and how many of these above the sensitivity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Reach {
+    pub(super) in_range: u32,
+    pub(super) audible: u32,
+}
+
+#[inline(always)]
+fn square(a: [f32; 3], b: [f32; 3]) -> f32 {
+    let (x, y, z) = (a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    x * x + y * y + z * z
+}
+
+#[inline(always)]
+fn received_mw(eirp_mw: f32, gain: f32, antenna_gain: f32) -> f32 {
+    eirp_mw * gain * antenna_gain
+}
+
+/// The draw of a pair that is too weak: not below any chance.
+const NO_LUCK: u32 = u32::MAX;
+
+/// One receiver and some frames: fills `row` with one entry for each frame of `range`, which holds
+/// at most [`ROW`].
+pub(super) fn listen(
+    row: &mut Row,
+    members: &Members,
+    me: usize,
+    air: &Air,
+    range: Range<usize>,
+    between: &Between<'_>,
+) -> Reach {
+    let c = &members.columns;
+    let n = range.len();
+    let here = [c.enu_m[0][me], c.enu_m[1][me], c.enu_m[2][me]];
+    let [x, y, z] = [0, 1, 2].map(|axis| &air.enu_m[axis][range.clone()]);
+
+    let radio = c.radios[me];
+    let radios = &air.radios[range.clone()];
+    let squares = &mut row.squares_m2[..n];
+    for j in 0..n {
+        let square = square([x[j], y[j], z[j]], here);
+        squares[j] = if radios[j] == radio {
+            f32::INFINITY
+        } else {
+            square
+        };
+    }
+
+    let squares = &row.squares_m2[..n];
+    let gains = &mut row.gains[..n];
+    let keys = &air.keys[range.clone()];
+    let links = Links {
+        frequency: between.frequency,
+        time: between.time,
+        near_is: Role::Receiver,
+        near_enu_m: here,
+        near_key: c.radio_keys[me],
+        far_enu_m: [x, y, z],
+        far_keys: &air.radio_keys[range.clone()],
+        distances_squared_m2: squares,
+        frames: FrameKeys::Each(keys),
+    };
+    between.propagation.gains(&links, gains);
+
+    let eirp_mw = &air.eirp_mw[range.clone()];
+    let powers = &mut row.powers_mw[..n];
+    for j in 0..n {
+        let power = received_mw(eirp_mw[j], gains[j], c.gains[me]);
+        powers[j] = if squares[j] <= between.range_squared_m2 {
+            power
+        } else {
+            0.0
+        };
+    }
+    if between.directed {
+        for (j, power) in powers
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, power)| **power > 0.0)
+        {
+            *power *= directed_gain(members, air.rows[range.start + j] as usize, me);
+        }
+    }
+
+    let (sensitivity_mw, salt) = (c.sensitivities_mw[me], c.salts[me]);
+    let (slots, draws) = (&mut row.slots[..n], &mut row.draws[..n]);
+    let mut reach = Reach::default();
+    for j in 0..n {
+        let audible = powers[j] >= sensitivity_mw;
+        reach.in_range += u32::from(squares[j] <= between.range_squared_m2);
+        reach.audible += u32::from(audible);
+        slots[j] = slot(powers[j]);
+        draws[j] = if audible {
+            draw_u32(keys[j], salt)
+        } else {
+            NO_LUCK
+        };
+    }
+    reach
+}
+
+/// One frame and some receivers: fills `row` with one entry for each member of `range`, which holds
+/// at most [`ROW`], and counts into the members' columns.
+pub(super) fn tell(
+    row: &mut Row,
+    members: &mut Members,
+    range: Range<usize>,
+    air: &Air,
+    frame: usize,
+    between: &Between<'_>,
+) {
+    let c = &members.columns;
+    let n = range.len();
+    let there = [
+        air.enu_m[0][frame],
+        air.enu_m[1][frame],
+        air.enu_m[2][frame],
+    ];
+    let [x, y, z] = [0, 1, 2].map(|axis| &c.enu_m[axis][range.clone()]);
+
+    let radio = air.radios[frame];
+    let radios = &c.radios[range.clone()];
+    let squares = &mut row.squares_m2[..n];
+    for j in 0..n {
+        let square = square(there, [x[j], y[j], z[j]]);
+        squares[j] = if radios[j] == radio {
+            f32::INFINITY
+        } else {
+            square
+        };
+    }
+
+    let squares = &row.squares_m2[..n];
+    let gains = &mut row.gains[..n];
+    let key = air.keys[frame];
+    let links = Links {
+        frequency: between.frequency,
+        time: between.time,
+        near_is: Role::Transmitter,
+        near_enu_m: there,
+        near_key: air.radio_keys[frame],
+        far_enu_m: [x, y, z],
+        far_keys: &c.radio_keys[range.clone()],
+        distances_squared_m2: squares,
+        frames: FrameKeys::One(key),
+    };
+    between.propagation.gains(&links, gains);
+
+    let eirp_mw = air.eirp_mw[frame];
+    let antenna_gains = &c.gains[range.clone()];
+    let powers = &mut row.powers_mw[..n];
+    for j in 0..n {
+        let power = received_mw(eirp_mw, gains[j], antenna_gains[j]);
+        powers[j] = if squares[j] <= between.range_squared_m2 {
+            power
+        } else {
+            0.0
+        };
+    }
+    if between.directed {
+        for (j, power) in powers
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, power)| **power > 0.0)
+        {
+            *power *= directed_gain(members, air.rows[frame] as usize, range.start + j);
+        }
+    }
+
+    let sensitivities_mw = &c.sensitivities_mw[range.clone()];
+    let salts = &c.salts[range.clone()];
+    let in_range = &mut members.in_range[range.clone()];
+    let audibles = &mut members.audible[range];
+    let (slots, draws) = (&mut row.slots[..n], &mut row.draws[..n]);
+    for j in 0..n {
+        let audible = powers[j] >= sensitivities_mw[j];
+        in_range[j] += u64::from(squares[j] <= between.range_squared_m2);
+        audibles[j] += u64::from(audible);
+        slots[j] = slot(powers[j]);
+        draws[j] = if audible {
+            draw_u32(key, salts[j])
+        } else {
+            NO_LUCK
+        };
+    }
+}
+
+/// Picks the lucky ones of the first `n` entries of the row: those whose draw is below the chance that
+/// `chance` gives for (entry, slot). Appends them to the hits, numbered by entry from `first` on.
+#[inline(always)]
+pub(super) fn pick(
+    scratch: &mut Scratch,
+    n: usize,
+    first: usize,
+    chance: impl Fn(usize, usize) -> u32,
+) {
+    let row = &mut *scratch.row;
+    let (slots, draws, powers) = (&row.slots[..n], &row.draws[..n], &row.powers_mw[..n]);
+    let mut count = 0;
+    for j in 0..n {
+        let lucky = draws[j] < chance(j, slots[j] as usize % SLOTS);
+        // Written every time, kept only if lucky: no branch to be mispredicted.
+        row.picked[count % ROW] = Hit {
+            frame: (first + j) as u32,
+            power_mw: powers[j],
+        };
+        count += usize::from(lucky);
+    }
+    scratch.hits.extend_from_slice(&row.picked[..count]);
+}
+
+/// Gains of the antennas with a direction at both ends of a link.
+fn directed_gain(members: &Members, tx: usize, rx: usize) -> f32 {
+    let place = |row: usize| DVec3::from(members.places[row].map(f64::from));
+    // Two antennas in one place have no direction to each other.
+    let Some(tx_to_rx) = (place(rx) - place(tx)).try_normalize() else {
+        return 1.0;
+    };
+    let gain = |row: usize, direction: DVec3| match &members.directed[row] {
+        Some(antenna) => {
+            let seen = members.attitudes[row].unrotate(Position::from_si(direction));
+            antenna.gain(seen.si()).ratio()
+        }
+        None => 1.0,
+    };
+    (gain(tx, tx_to_rx) * gain(rx, -tx_to_rx)) as f32
+}
