@@ -1,7 +1,7 @@
 //! Attribute macros of Simbeeotic.
 //!
 //! [`params`] makes a struct readable from a scenario: units, defaults, schema, unknown keys are
-//! errors. One attribute for each kind of part puts a type on the shelf under a name:
+//! errors. [`choice`] does the same for an enum. One attribute for each kind of part puts a type on the shelf under a name:
 //! [`behavior`], [`vehicle`], [`sensor`], [`radio`], [`antenna`], [`propagation`], [`weather`],
 //! [`component`]. The type's doc comment becomes the text of `simbeeotic describe`.
 //!
@@ -42,6 +42,25 @@ pub fn params(arguments: TokenStream, item: TokenStream) -> TokenStream {
     quote! {
         #[derive(Clone, Debug, PartialEq, #home::serde::Serialize, #home::serde::Deserialize, #home::schemars::JsonSchema)]
         #[serde(crate = #serde, default, deny_unknown_fields)]
+        #[schemars(crate = #schemars)]
+        #item
+    }
+    .into()
+}
+
+/// Makes an enum without fields a choice that a scenario writes as kebab-case text.
+#[proc_macro_attribute]
+pub fn choice(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    if !arguments.is_empty() {
+        return error(Span::call_site(), "#[choice] takes no arguments").into();
+    }
+    let item = Tokens::from(item);
+    let home = home();
+    let (serde, schemars) = (format!("{home}::serde"), format!("{home}::schemars"));
+    let home: Path = path(&home);
+    quote! {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, #home::serde::Serialize, #home::serde::Deserialize, #home::schemars::JsonSchema)]
+        #[serde(crate = #serde, rename_all = "kebab-case")]
         #[schemars(crate = #schemars)]
         #item
     }

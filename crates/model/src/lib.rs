@@ -1,2 +1,91 @@
-//! Simbeeotic: what authors write against.
+//! What authors write against: behaviours, vehicles, sensors, radios, the registry, the run.
+//!
+//! A swarm is made of *models* that are woken by events. Authors rarely write one: they write a
+//! [`Behavior`], a struct with state and methods, and say what carries it ([`host`]): a flying
+//! vehicle, a station on the ground, or nothing. Timers are methods, declared once; sensors are
+//! read through typed handles; packets come in batches. Everything that can be named in a scenario
+//! is a *part* on the shelf ([`registry`]), whoever wrote it.
+//!
+//! ```text
+//! scenario  --config-->  Setup  --assemble-->  Simulation  --run-->  Summary
+//!                          |                       |
+//!                     registry: parts         kernel: instants
+//! ```
+//!
+//! Reading order: [`behavior`] and [`host`] (what most people need), [`sensor`] and [`vehicle`]
+//! (to add a part), [`registry`] and [`config`] (how names become parts), [`swarm`] (what is shared
+//! and in which order it changes), [`simulation`] (a run), [`component`] (who watches).
+
+// The attribute macros say `::simbeeotic_model`, in this crate too.
+extern crate self as simbeeotic_model;
+
+pub mod behavior;
+pub mod check;
+pub mod component;
 pub mod config;
+pub mod energy;
+pub mod host;
+mod hosted;
+pub mod instance;
+mod kit;
+pub mod message;
+pub mod model;
+pub mod population;
+pub mod registry;
+pub mod sensor;
+pub mod simulation;
+pub mod summary;
+pub mod swarm;
+mod timer;
+pub mod vehicle;
+pub mod view;
+mod watch;
+
+pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
+pub use component::{Component, ComponentError, Note};
+pub use energy::{Accounts, Consumer};
+pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Station};
+pub use message::{Message, Touch};
+pub use model::{Model, Wake};
+pub use population::{Member, Population};
+pub use registry::{FromParams, Radio};
+pub use sensor::{Handle, Sensor};
+pub use simulation::{ModelPlan, Outcome, Setup, SetupError, Simulation, SimulationError};
+pub use summary::Summary;
+pub use swarm::Mark;
+pub use timer::{Call, TimerHandle};
+pub use vehicle::{Setpoint, Vehicle, VehicleKit};
+pub use view::{Origin, Truth, View};
+
+pub use simbeeotic_macros::{
+    antenna, behavior, choice, component, params, propagation, radio, sensor,
+    vehicle, weather,
+};
+
+pub use inventory;
+pub use schemars;
+pub use serde;
+pub use simbeeotic_kernel as kernel;
+pub use simbeeotic_physics as physics;
+pub use simbeeotic_radio as radio;
+pub use simbeeotic_units as units;
+pub use simbeeotic_world as world;
+
+/// What a file with a behaviour in it wants to see.
+pub mod prelude {
+    pub use crate::check::{at_least_zero, in_range, positive};
+    pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Station};
+    pub use crate::kernel::{ModelId, SimTime, Stream};
+    pub use crate::physics::{BodySpec, Shape};
+    pub use crate::radio::{Inbox, Packet};
+    pub use crate::units::{
+        Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,
+        ForceVec, Frequency, Heading, Length, Mass, Offset, Pose, Position, PowerLevel, Rate, Speed,
+        Time, Twist, Velocity, Yaw,
+    };
+    pub use crate::{
+        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor, TimerHandle,
+        Touch, Truth,
+    };
+    pub use simbeeotic_macros::{behavior, choice, params, sensor};
+}

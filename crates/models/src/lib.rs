@@ -1,1 +1,24 @@
-//! Simbeeotic: the shelf: vehicles, behaviours, sensors, radios, weather, hive.
+//! The shelf: parts that scenarios name and users start from.
+//!
+//! | kind | parts |
+//! |---|---|
+//! | vehicles | [`vehicle::simple_bee`] |
+//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::broadcast`], [`behavior::hive`] |
+//! | sensors | [`sensor::compass`], [`sensor::position`] |
+//! | radios | [`radio::cc2420`] |
+//! | antennas | [`antenna::isotropic`] |
+//! | propagation | [`propagation::free_space`] |
+//! | weather | [`weather::constant`] |
+//!
+//! A new part is one file in the folder of its kind and one `mod` line. Nothing here has a right
+//! that a user's own crate has not: each part is written against `simbeeotic-model` alone and
+//! registers itself by its attribute.
+
+pub mod antenna;
+pub mod behavior;
+pub mod phase;
+pub mod propagation;
+pub mod radio;
+pub mod sensor;
+pub mod vehicle;
+pub mod weather;

@@ -1,1 +1,7 @@
-fn main() {}
+//! The program: `simbeeotic run scenario.toml`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    simbeeotic::program::main()
+}

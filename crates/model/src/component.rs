@@ -1,0 +1,55 @@
+//! Components: what watches a run without being part of it.
+//!
+//! A recorder, a viewer, a live plot: declared in the scenario (`[[component]] use = "recorder"`),
+//! told of the run at its start, at regular virtual times and at its end. A component sees a
+//! [`View`], read only, so it cannot change the trace.
+
+use crate::summary::Summary;
+use crate::view::View;
+use simbeeotic_units::Time;
+
+/// Something that watches a run. Register it with `#[component("name")]`.
+pub trait Component: Send {
+    /// Virtual time between observations; `None`: only start and end.
+    fn period(&self) -> Option<Time>;
+
+    /// Called once, before the first event.
+    ///
+    /// # Errors
+    /// The run does not start.
+    fn start(&mut self, view: &View<'_>) -> Result<(), ComponentError>;
+
+    /// Called at time zero and every period, after all events of that instant.
+    ///
+    /// # Errors
+    /// The run ends.
+    fn observe(&mut self, view: &View<'_>) -> Result<(), ComponentError>;
+
+    /// Called once, after the last event; also when the run ends early or with an error, as far as
+    /// the program lives. Returns lines for the printed summary.
+    ///
+    /// # Errors
+    /// The run is reported as failed.
+    fn finish(&mut self, view: &View<'_>, summary: &Summary) -> Result<Vec<Note>, ComponentError>;
+}
+
+/// A line that a component adds to the summary of a run.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Note {
+    /// What it is about: `recording`.
+    pub key: String,
+    /// For people: `run.mcap, 12.3 MB, 101 ticks`.
+    pub text: String,
+}
+
+/// A component cannot go on.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct ComponentError(pub String);
+
+impl ComponentError {
+    /// With `message` as the whole of what the user sees.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self(message.into())
+    }
+}

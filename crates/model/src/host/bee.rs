@@ -1,0 +1,112 @@
+//! The easy layer: a vehicle flown by simple set points.
+
+use super::{Cx, Gear, Host, Platform};
+use crate::behavior::BuildError;
+use crate::instance::Instance;
+use crate::vehicle::{AnyVehicle, Setpoint};
+use simbeeotic_physics::BodySpec;
+use simbeeotic_units::{Angle, Flu, Position, Time, Velocity};
+use std::ops::{Deref, DerefMut};
+
+/// Carries a behaviour through the air: a vehicle of the scenario's choice. Its behaviour sees a
+/// [`Bee`].
+pub struct Flying {
+    gear: Gear,
+    vehicle: Box<dyn AnyVehicle>,
+    setpoint: Setpoint,
+}
+
+impl Host for Flying {
+    type View<'a> = Bee<'a>;
+    const FLIES: bool = true;
+
+    fn assemble(instance: &mut Instance<'_>, _body: Option<BodySpec>) -> Result<Self, BuildError> {
+        let vehicle = instance.vehicle()?;
+        instance.add_body(vehicle.body())?;
+        Ok(Self { gear: Gear::assemble(instance)?, vehicle, setpoint: Setpoint::default() })
+    }
+
+    fn view<'a>(&'a mut self, cx: Cx<'a>) -> Bee<'a> {
+        Bee {
+            platform: Platform::new(cx, &mut self.gear),
+            vehicle: &mut *self.vehicle,
+            setpoint: &mut self.setpoint,
+        }
+    }
+
+    fn control_timing(&mut self) -> Option<(Time, Time)> {
+        self.vehicle.control_timing()
+    }
+
+    fn control(&mut self, cx: Cx<'_>) {
+        self.vehicle.control(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
+    }
+
+    fn finish(&mut self, cx: Cx<'_>) {
+        self.vehicle.finish(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
+    }
+}
+
+/// A vehicle in flight, as its behaviour sees it during one call.
+///
+/// Set points hold until they are changed; the vehicle's control law follows them on its own
+/// clock. Turns take effect at once, and show in this call's compass.
+pub struct Bee<'a> {
+    platform: Platform<'a>,
+    vehicle: &'a mut dyn AnyVehicle,
+    setpoint: &'a mut Setpoint,
+}
+
+impl Bee<'_> {
+    /// Turns about the body's up axis, counter-clockwise seen from above.
+    pub fn turn(&mut self, angle: Angle) {
+        self.vehicle.turn(angle, &mut self.platform);
+    }
+
+    /// Points the body's forward axis at a place.
+    pub fn turn_toward(&mut self, point: Position) {
+        self.vehicle.turn_toward(point, &mut self.platform);
+    }
+
+    /// Flies at `velocity`, in the body frame, from the next control step on.
+    ///
+    /// A velocity that is not finite ends the run with an error that names this model.
+    pub fn fly(&mut self, velocity: Velocity<Flu>) {
+        if velocity.si().is_finite() {
+            self.setpoint.velocity = velocity;
+        } else {
+            let message = format!("was told to fly at {:?} m/s", velocity.si().to_array());
+            self.platform.fault(message);
+        }
+    }
+
+    /// The velocity that was asked for last, in the body frame. What is really flown is
+    /// [`Entity::velocity`](super::Entity::velocity).
+    pub fn velocity_setpoint(&self) -> Velocity<Flu> {
+        self.setpoint.velocity
+    }
+
+    /// Whether the vehicle carries its own weight from the next control step on. It does, unless
+    /// told otherwise.
+    pub fn hover(&mut self, hovering: bool) {
+        self.setpoint.hovering = hovering;
+    }
+
+    /// Whether the vehicle carries its own weight.
+    pub fn is_hovering(&self) -> bool {
+        self.setpoint.hovering
+    }
+}
+
+impl<'a> Deref for Bee<'a> {
+    type Target = Platform<'a>;
+    fn deref(&self) -> &Platform<'a> {
+        &self.platform
+    }
+}
+
+impl DerefMut for Bee<'_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.platform
+    }
+}

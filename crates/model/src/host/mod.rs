@@ -1,0 +1,66 @@
+//! What carries a behaviour, and what the behaviour sees of it.
+//!
+//! Each layer *holds* the one below and lends all of its methods (by `Deref`):
+//!
+//! ```text
+//! Bee<'_>        turn, fly, hover                    a vehicle flown by simple set points
+//!   Platform<'_>   read, send, draw                  sensors, radios, energy accounts
+//!     Entity<'_>     pose, velocity, set_force       a body in the world
+//!       Cx<'_>         now, uniform, arm, find       time, chance, timers, the population
+//! ```
+//!
+//! A host is chosen by the behaviour: [`Flying`] unless it says otherwise, [`Station`] for things
+//! that have a body and gear but do not fly (a hive, a beacon), [`Bodiless`] for models without
+//! physical presence (a planner, a referee).
+
+mod bee;
+mod bodiless;
+mod cx;
+mod entity;
+mod platform;
+mod station;
+
+pub use bee::{Bee, Flying};
+pub use bodiless::Bodiless;
+pub use cx::Cx;
+pub use entity::Entity;
+pub use platform::Platform;
+pub(crate) use platform::Gear;
+pub use station::Station;
+
+use crate::behavior::BuildError;
+use crate::instance::Instance;
+use simbeeotic_physics::BodySpec;
+use simbeeotic_units::Time;
+
+/// Something that can carry a behaviour. The three of this crate suffice for most; a testbed adds
+/// its own for real vehicles.
+pub trait Host: Sized + Send + 'static {
+    /// What the behaviour sees of its host during one call.
+    type View<'a>;
+
+    /// Whether it flies, and so takes a vehicle.
+    const FLIES: bool = false;
+
+    /// Puts the host together from what the scenario says about this instance.
+    ///
+    /// `body` is the behaviour's own wish for a body; a flying host asks its vehicle instead.
+    ///
+    /// # Errors
+    /// What the scenario lacks or has too much of: no vehicle, sensors without a body, ...
+    fn assemble(instance: &mut Instance<'_>, body: Option<BodySpec>) -> Result<Self, BuildError>;
+
+    /// The view for one call.
+    fn view<'a>(&'a mut self, cx: Cx<'a>) -> Self::View<'a>;
+
+    /// First run and period of the host's own control law, if it has one.
+    fn control_timing(&mut self) -> Option<(Time, Time)> {
+        None
+    }
+
+    /// One step of the host's own control law.
+    fn control(&mut self, _cx: Cx<'_>) {}
+
+    /// Called once, after the last event of the run and the behaviour's own end.
+    fn finish(&mut self, _cx: Cx<'_>) {}
+}

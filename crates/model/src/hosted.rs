@@ -1,0 +1,72 @@
+//! A behaviour on its host: the model behind every vehicle, station and planner.
+
+use crate::behavior::{Behavior, BuildError, Declared, Handler};
+use crate::host::{Cx, Host};
+use crate::instance::Instance;
+use crate::kit::Kit;
+use crate::model::{Model, Wake};
+use crate::timer::{Call, TimerHandle};
+use std::sync::Arc;
+
+/// Timer 0 belongs to the host's control law, whether it has one or not.
+const CONTROL: TimerHandle = TimerHandle::new(0);
+
+pub(crate) struct Hosted<B, H: Host> {
+    behavior: B,
+    host: H,
+    handlers: Box<[Handler<B, H>]>,
+    declared: Box<[Declared]>,
+}
+
+impl<B: Behavior<H>, H: Host> Hosted<B, H> {
+    pub(crate) fn build(params: B::Params, instance: &mut Instance<'_>) -> Result<Self, BuildError> {
+        let host = H::assemble(instance, B::body(&params))?;
+        let mut kit = Kit::new(Arc::clone(&instance.gear), Arc::clone(&instance.path), instance.seed);
+        let behavior = B::build(params, &mut kit)?;
+        match kit.fault {
+            Some(fault) => Err(fault),
+            None => Ok(Self {
+                behavior,
+                host,
+                handlers: kit.handlers.into(),
+                declared: kit.declared.into(),
+            }),
+        }
+    }
+}
+
+impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
+    fn start(&mut self, cx: &mut Cx<'_>) {
+        let control = self.host.control_timing();
+        cx.create_timer(Call::CONTROL, control.map(|c| c.0), control.map(|c| c.1));
+        for timer in &self.declared {
+            cx.create_timer(timer.call, timer.first, timer.period);
+        }
+    }
+
+    fn wake(&mut self, wake: Wake<'_>, cx: &mut Cx<'_>) {
+        let Self { behavior, host, handlers, .. } = self;
+        match wake {
+            Wake::Timer(CONTROL) => {
+                behavior.on_control(&mut host.view(cx.reborrow()));
+                host.control(cx.reborrow());
+            }
+            Wake::Timer(timer) => {
+                let call = cx.call_of(timer);
+                if let Some(handler) = handlers.get(usize::from(call.0)) {
+                    handler(behavior, &mut host.view(cx.reborrow()));
+                }
+            }
+            Wake::Message(message) => {
+                behavior.on_message(message, &mut host.view(cx.reborrow()));
+            }
+            Wake::Packets(inbox) => behavior.on_packets(inbox, &mut host.view(cx.reborrow())),
+            Wake::Touch(touch) => behavior.on_contact(touch, &mut host.view(cx.reborrow())),
+        }
+    }
+
+    fn finish(&mut self, cx: &mut Cx<'_>) {
+        self.behavior.on_finish(&mut self.host.view(cx.reborrow()));
+        self.host.finish(cx.reborrow());
+    }
+}

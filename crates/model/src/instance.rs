@@ -1,0 +1,164 @@
+//! One instance of a model while it is put together.
+
+use crate::behavior::BuildError;
+use crate::kit::RadioHandle;
+use crate::registry::{SensorFactory, VehicleFactory};
+use crate::sensor::{AnySensor, Handle};
+use crate::vehicle::{AnyVehicle, VehicleKit};
+use simbeeotic_kernel::{ModelId, rng::path_key};
+use simbeeotic_physics::{BodyId, BodySpec, Physics};
+use simbeeotic_radio::{Antenna, Medium, RadioId, RadioSpec};
+use simbeeotic_units::{Mount, Pose};
+use std::any::TypeId;
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// The gear that a scenario attaches to each instance of a model.
+#[derive(Clone, Default)]
+pub struct GearPlan {
+    /// Sensors, in the scenario's order.
+    pub sensors: Vec<SensorPlan>,
+    /// Radios, in the scenario's order.
+    pub radios: Vec<RadioPlan>,
+}
+
+/// One sensor of a [`GearPlan`].
+#[derive(Clone)]
+pub struct SensorPlan {
+    /// What the behaviour calls it.
+    pub name: String,
+    /// Makes it.
+    pub factory: Arc<dyn SensorFactory>,
+    /// Where it sits.
+    pub mount: Mount,
+}
+
+/// One radio of a [`GearPlan`].
+#[derive(Clone)]
+pub struct RadioPlan {
+    /// What the behaviour calls it.
+    pub name: String,
+    /// What it is; owner and key are filled in for each instance.
+    pub spec: RadioSpec,
+    /// Its antenna pattern.
+    pub antenna: Arc<dyn Antenna>,
+    /// Where its antenna sits, and how it points.
+    pub mount: Mount,
+}
+
+impl GearPlan {
+    pub(crate) fn has_sensor(&self, name: &str) -> bool {
+        self.sensors.iter().any(|s| s.name == name)
+    }
+
+    pub(crate) fn sensor<R: 'static>(&self, name: &str) -> Result<Handle<R>, BuildError> {
+        let index = self.sensors.iter().position(|s| s.name == name);
+        let index = index.ok_or_else(|| BuildError::NoSensor {
+            name: name.to_owned(),
+            known: self.sensors.iter().map(|s| s.name.clone()).collect(),
+        })?;
+        let (id, gives) = self.sensors[index].factory.reading();
+        if id != TypeId::of::<R>() {
+            let wanted = std::any::type_name::<R>();
+            return Err(BuildError::WrongReading { name: name.to_owned(), wanted, gives });
+        }
+        Ok(Handle { index: index as u16, reading: PhantomData })
+    }
+
+    pub(crate) fn radio_named(&self, name: &str) -> Result<RadioHandle, BuildError> {
+        match self.radios.iter().position(|r| r.name == name) {
+            Some(index) => Ok(RadioHandle { index: index as u8 }),
+            None => Err(BuildError::NoSuchRadio {
+                name: name.to_owned(),
+                known: self.radios.iter().map(|r| r.name.clone()).collect(),
+            }),
+        }
+    }
+}
+
+/// One instance of a model while it is put together: what the scenario says about it, and the
+/// world that its body and radios join.
+pub struct Instance<'a> {
+    /// Its id.
+    pub id: ModelId,
+    /// Its path: `bee-17`.
+    pub path: Arc<str>,
+    /// The master seed.
+    pub seed: u64,
+    /// Where it starts.
+    pub start: Pose,
+    /// The gear on board.
+    pub gear: Arc<GearPlan>,
+    pub(crate) vehicle: Option<&'a dyn VehicleFactory>,
+    pub(crate) physics: &'a mut Physics,
+    pub(crate) medium: Option<&'a mut Box<dyn Medium>>,
+    pub(crate) body: Option<BodyId>,
+    pub(crate) radios: Vec<RadioId>,
+}
+
+impl Instance<'_> {
+    /// Puts a body into the world, at this instance's start.
+    ///
+    /// # Errors
+    /// Mass, size or pose make no sense to physics.
+    pub fn add_body(&mut self, body: BodySpec) -> Result<BodyId, BuildError> {
+        let start = self.start;
+        let id = self.physics.add(BodySpec {
+            p_enu: body.p_enu + start.position.si(),
+            attitude: start.attitude,
+            ..body
+        })?;
+        self.body = Some(id);
+        Ok(id)
+    }
+
+    /// The vehicle that the scenario chose.
+    pub(crate) fn vehicle(&self) -> Result<Box<dyn AnyVehicle>, BuildError> {
+        let factory = self
+            .vehicle
+            .ok_or_else(|| BuildError::other("it flies and has no vehicle; add a [model.vehicle]"))?;
+        factory.build(&VehicleKit { seed: self.seed, path: &self.path })
+    }
+
+    /// An error if the scenario gave a vehicle to something that cannot use one.
+    pub(crate) fn refuse_vehicle(&self, what: &str) -> Result<(), BuildError> {
+        match self.vehicle {
+            Some(_) => Err(BuildError::other(format!("{what} has no use for a vehicle"))),
+            None => Ok(()),
+        }
+    }
+
+    /// An error if the scenario gave gear to something that cannot carry any.
+    pub(crate) fn refuse_gear(&self, what: &str) -> Result<(), BuildError> {
+        if self.gear.sensors.is_empty() && self.gear.radios.is_empty() {
+            Ok(())
+        } else {
+            Err(BuildError::other(format!("{what} carries no sensors or radios")))
+        }
+    }
+
+    pub(crate) fn sensors(&self) -> Result<Box<[Box<dyn AnySensor>]>, BuildError> {
+        let sensors = self.gear.sensors.iter().map(|plan| {
+            let path = format!("{}/{}", self.path, plan.name);
+            plan.factory.build(plan.mount, simbeeotic_kernel::Stream::new(self.seed, &path, "noise"))
+        });
+        sensors.collect()
+    }
+
+    /// Puts the platform's radios on the air.
+    pub(crate) fn add_radios(&mut self) -> Result<(), BuildError> {
+        let Some(medium) = self.medium.as_deref_mut() else { return Ok(()) };
+        for plan in &self.gear.radios {
+            let path = format!("{}/{}", self.path, plan.name);
+            let spec = RadioSpec {
+                owner: self.id,
+                key: path_key(&path),
+                antenna: Arc::clone(&plan.antenna),
+                mount: plan.mount,
+                ..plan.spec.clone()
+            };
+            self.radios.push(medium.add(spec)?);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,47 @@
+//! What reaches a model besides its timers: messages and touches.
+
+use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_units::{Enu, ForceVec, Position, Velocity};
+use std::any::Any;
+use std::fmt;
+
+/// A message from one model to another, delivered as an event.
+///
+/// Vehicles talk by radio; messages are for what is not physical: a referee, a planner that shares
+/// a computer with the hive, a tool.
+pub struct Message {
+    /// Who sent it.
+    pub sender: ModelId,
+    /// What it says.
+    pub(crate) payload: Box<dyn Any + Send + Sync>,
+}
+
+impl Message {
+    /// What it says, if it is a `T`.
+    pub fn get<T: 'static>(&self) -> Option<&T> {
+        self.payload.downcast_ref()
+    }
+}
+
+impl fmt::Debug for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Message from {}", self.sender)
+    }
+}
+
+/// The body of a model touched something.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// The instant of impact.
+    pub time: SimTime,
+    /// Whom it touched; `None` is the ground.
+    pub other: Option<ModelId>,
+    /// Where, world frame.
+    pub point: Position,
+    /// Unit normal, world frame, pointing away from the own body.
+    pub normal: [f64; 3],
+    /// Velocity of the own body against the other before the impact, world frame.
+    pub relative_velocity: Velocity<Enu>,
+    /// The impulse on the own body as a force over one second (N s), world frame.
+    pub impulse: ForceVec<Enu>,
+}

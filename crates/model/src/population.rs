@@ -1,0 +1,97 @@
+//! Who is there: queries by id, path and kind.
+
+use simbeeotic_kernel::ModelId;
+use std::collections::BTreeMap;
+
+/// One model of the population.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// Its path: `bee-17`, or `hive/bee-17` for a nested model.
+    pub path: String,
+    /// The part it was made from: `instrument-bee`.
+    pub kind: &'static str,
+    /// The model it is nested in.
+    pub parent: Option<ModelId>,
+}
+
+/// All models of a run. Fixed once the run starts; ids count from 0 in the scenario's order.
+#[derive(Clone, Debug, Default)]
+pub struct Population {
+    members: Vec<Member>,
+    by_path: BTreeMap<String, ModelId>,
+    by_kind: BTreeMap<&'static str, Vec<ModelId>>,
+}
+
+impl Population {
+    /// Adds a model; `None` if the path is taken.
+    pub(crate) fn add(&mut self, member: Member) -> Option<ModelId> {
+        let id = ModelId(u32::try_from(self.members.len()).ok()?);
+        if self.by_path.contains_key(&member.path) {
+            return None;
+        }
+        self.by_path.insert(member.path.clone(), id);
+        self.by_kind.entry(member.kind).or_default().push(id);
+        self.members.push(member);
+        Some(id)
+    }
+
+    /// How many there are.
+    pub const fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// The model with this id.
+    pub fn get(&self, id: ModelId) -> Option<&Member> {
+        self.members.get(id.0 as usize)
+    }
+
+    /// The path of a model; empty for an id that is not one.
+    pub fn path(&self, id: ModelId) -> &str {
+        self.get(id).map_or("", |m| &m.path)
+    }
+
+    /// The model at `path`.
+    pub fn find(&self, path: &str) -> Option<ModelId> {
+        self.by_path.get(path).copied()
+    }
+
+    /// All models made from the part called `kind`, by id. Empty if there is none.
+    pub fn of_kind(&self, kind: &str) -> &[ModelId] {
+        self.by_kind.get(kind).map_or(&[], Vec::as_slice)
+    }
+
+    /// The models nested in `parent`, by id.
+    pub fn children(&self, parent: ModelId) -> impl Iterator<Item = ModelId> {
+        self.iter().filter(move |(_, m)| m.parent == Some(parent)).map(|(id, _)| id)
+    }
+
+    /// All models, by id.
+    pub fn iter(&self) -> impl Iterator<Item = (ModelId, &Member)> {
+        self.members.iter().enumerate().map(|(i, m)| (ModelId(i as u32), m))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn models_are_found_by_id_path_and_kind() {
+        let mut all = Population::default();
+        let member = |path: &str, kind, parent| Member { path: path.into(), kind, parent };
+        let hive = all.add(member("hive", "simple-hive", None)).expect("free path");
+        let bee = all.add(member("hive/bee", "inert-bee", Some(hive))).expect("free path");
+        assert_eq!(all.find("hive/bee"), Some(bee));
+        assert_eq!(all.find("unknown"), None, "the original threw a null pointer exception");
+        assert_eq!(all.of_kind("inert-bee"), [bee]);
+        assert!(all.of_kind("unknown").is_empty());
+        assert_eq!(all.children(hive).collect::<Vec<_>>(), [bee]);
+        assert_eq!(all.path(bee), "hive/bee");
+        assert!(all.add(member("hive", "inert-bee", None)).is_none(), "a path is taken once");
+    }
+}

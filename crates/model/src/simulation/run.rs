@@ -1,0 +1,356 @@
+//! Running: instants, observations, the end.
+
+use super::setup::{Setup, SetupError, assemble};
+use crate::component::{Component, ComponentError};
+use crate::energy::{Accounts, Consumer};
+use crate::population::Population;
+use crate::summary::{ChargeLine, Lateness, Packets, Summary, TimeShares};
+use crate::swarm::{Mark, Swarm, wake};
+use crate::view::{Origin, View};
+use crate::watch;
+use simbeeotic_kernel::pace::Control;
+use simbeeotic_kernel::{
+    Engine, ModelId, Progress, RunError, Settings, SimTime, Status, TraceLog, Wake,
+};
+use simbeeotic_radio::{Loss, RadioState};
+use simbeeotic_units::{Pose, Twist};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+/// A run, ready to start.
+pub struct Simulation {
+    engine: Engine<Swarm>,
+    origin: Origin,
+    end: SimTime,
+    observers: Vec<Observer>,
+    init_s: f64,
+}
+
+/// A component and its clock.
+struct Observer {
+    component: Box<dyn Component>,
+    /// When it observes next, and how often.
+    clock: Option<(SimTime, u64)>,
+    /// Marks that it has seen.
+    seen: usize,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The numbers, as far as it came.
+    pub summary: Summary,
+    /// What ended it before its time.
+    pub error: Option<SimulationError>,
+}
+
+/// What ends a run before its time.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimulationError {
+    /// A model, or the loop that it made.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A component: the recording cannot be written, say.
+    #[error(transparent)]
+    Component(#[from] ComponentError),
+}
+
+impl Simulation {
+    /// Puts a run together; `started` is when the program began to, for the summary.
+    ///
+    /// # Errors
+    /// A model cannot be built, or there are no threads to be had.
+    pub fn new(mut setup: Setup) -> Result<Self, SetupError> {
+        let started = watch::now();
+        let components = std::mem::take(&mut setup.components);
+        let (swarm, agents) = assemble(&mut setup)?;
+        let seed = setup.origin.seed;
+        let settings = Settings {
+            threads: setup.threads,
+            seed,
+            limits: setup.limits.clone(),
+            ..Settings::default()
+        };
+        let mut engine = Engine::new(swarm, agents, settings)?;
+        engine.control().set_factor(setup.pace)?;
+        for id in 0..engine.agents().len() {
+            // Nothing has happened yet, and every id is known: this cannot fail.
+            let _ = engine.schedule_initial(SimTime::ZERO, ModelId(id as u32), Wake::new(wake::START, 0));
+        }
+        let observers = components.into_iter().map(|(_, component)| Observer::new(component)).collect::<Vec<_>>();
+        engine.domain_mut().keep_marks = !observers.is_empty();
+        let init_s = started.elapsed().as_secs_f64();
+        Ok(Self { engine, origin: setup.origin, end: setup.limits.end, observers, init_s })
+    }
+
+    /// Adds seconds spent before [`Simulation::new`] to what the summary calls `init`.
+    pub fn add_init_time(&mut self, seconds: f64) {
+        self.init_s += seconds;
+    }
+
+    /// How far the run has come, for another thread.
+    pub fn progress(&self) -> Arc<Progress> {
+        self.engine.progress()
+    }
+
+    /// Pace, pause, step and stop, for another thread.
+    pub fn control(&self) -> Arc<Control> {
+        self.engine.control()
+    }
+
+    /// When the run ends by itself.
+    pub fn end(&self) -> SimTime {
+        self.end
+    }
+
+    /// How far the run has come.
+    pub fn now(&self) -> SimTime {
+        self.engine.now()
+    }
+
+    /// All models.
+    pub fn population(&self) -> &Population {
+        &self.engine.domain().population
+    }
+
+    /// The pose of the body of the model at `path`, now.
+    pub fn pose(&self, path: &str) -> Option<Pose> {
+        self.engine.domain().pose_of(self.population().find(path)?, self.now())
+    }
+
+    /// The twist of the body of the model at `path`, now.
+    pub fn twist(&self, path: &str) -> Option<Twist> {
+        self.engine.domain().twist_of(self.population().find(path)?, self.now())
+    }
+
+    /// The charge that the model at `path` has drawn, its radios' states settled up to now.
+    pub fn accounts(&self, path: &str) -> Option<Accounts> {
+        let id = self.population().find(path)?;
+        Some(self.accounts_of(id))
+    }
+
+    /// The trace so far.
+    pub fn trace(&self) -> &TraceLog {
+        self.engine.trace()
+    }
+
+    /// The hash of everything that the model at `path` did and met. It does not change when models
+    /// are added that this one never meets.
+    pub fn model_trace(&self, path: &str) -> Option<u64> {
+        self.engine.agent_trace(self.population().find(path)?)
+    }
+
+    /// Runs up to and including `until`, without components, and may be called again.
+    ///
+    /// # Errors
+    /// See [`RunError`]; the run is over then.
+    pub fn run_until(&mut self, until: SimTime) -> Result<Status, RunError> {
+        self.engine.run_until(until)
+    }
+
+    /// Runs to the end, lets components watch, and closes them whatever happens.
+    pub fn run(&mut self) -> Outcome {
+        let start = watch::now();
+        let result = self.watched();
+        let (ended, mut error) = match result {
+            Ok(reason) => (reason, None),
+            Err(error) => (error.to_string(), Some(error)),
+        };
+        if error.is_none()
+            && let Err(e) = self.finish_models()
+        {
+            error = Some(e.into());
+        }
+        let mut summary = self.summary(start, &ended);
+        if let Err(e) = self.close_observers(&mut summary) {
+            error.get_or_insert(e.into());
+        }
+        Outcome { summary, error }
+    }
+
+    /// Runs from observation to observation; says why it ended well.
+    fn watched(&mut self) -> Result<String, SimulationError> {
+        for at in 0..self.observers.len() {
+            let view = view(&self.engine, &self.origin, SimTime::ZERO, &[]);
+            self.observers[at].component.start(&view)?;
+        }
+        loop {
+            let next = self.observers.iter().filter_map(|o| o.clock).map(|(at, _)| at).min();
+            let target = next.unwrap_or(SimTime::MAX).min(self.end);
+            let status = self.engine.run_until(target)?;
+            match status {
+                Status::Stopped(reason) => return Ok(reason),
+                Status::WallTime => return Ok("wall time".to_owned()),
+                Status::Exhausted if self.end == SimTime::MAX => {
+                    return Ok("nothing left to do".to_owned());
+                }
+                // Bodies fly on without events; there is more to see until the end.
+                Status::Exhausted | _ => {}
+            }
+            self.observe(target)?;
+            if target >= self.end {
+                return Ok("end time".to_owned());
+            }
+        }
+    }
+
+    fn observe(&mut self, now: SimTime) -> Result<(), ComponentError> {
+        let (engine, origin) = (&self.engine, &self.origin);
+        let marks = &engine.domain().marks;
+        for observer in &mut self.observers {
+            let Some((at, period)) = observer.clock else { continue };
+            if at == now {
+                observer.component.observe(&view(engine, origin, now, &marks[observer.seen..]))?;
+                observer.seen = marks.len();
+                observer.clock = at.checked_add_nanos(period).map(|next| (next, period));
+            }
+        }
+        self.forget_marks();
+        Ok(())
+    }
+
+    /// Drops the marks that every component has seen.
+    fn forget_marks(&mut self) {
+        let seen = self.observers.iter().filter(|o| o.clock.is_some()).map(|o| o.seen).min();
+        let all = self.engine.domain().marks.len();
+        let drop = seen.unwrap_or(all);
+        self.engine.domain_mut().marks.drain(..drop);
+        for observer in &mut self.observers {
+            observer.seen = observer.seen.saturating_sub(drop);
+        }
+    }
+
+    /// Wakes every model once more, at the time the run has come to.
+    fn finish_models(&mut self) -> Result<(), RunError> {
+        self.engine.limits_mut().wall = None;
+        let now = self.engine.now();
+        for id in 0..self.engine.agents().len() {
+            self.engine.schedule_initial(now, ModelId(id as u32), Wake::new(wake::FINISH, 0))?;
+        }
+        self.engine.run_until(now).map(drop)
+    }
+
+    /// Closes all components, also after one of them has failed.
+    fn close_observers(&mut self, summary: &mut Summary) -> Result<(), ComponentError> {
+        let (engine, origin) = (&self.engine, &self.origin);
+        let marks = &engine.domain().marks;
+        let mut notes = Vec::new();
+        let mut failed = None;
+        for observer in &mut self.observers {
+            let view = view(engine, origin, engine.now(), &marks[observer.seen..]);
+            match observer.component.finish(&view, summary) {
+                Ok(lines) => notes.extend(lines),
+                Err(error) => {
+                    failed.get_or_insert(error);
+                }
+            }
+        }
+        summary.notes = notes;
+        failed.map_or(Ok(()), Err)
+    }
+
+    fn accounts_of(&self, id: ModelId) -> Accounts {
+        let core = &self.engine.agents()[id.index()].core;
+        let mut accounts = core.accounts;
+        if let Some(medium) = &self.engine.domain().medium {
+            for radio in &core.radios {
+                let states = [
+                    (RadioState::Transmit, Consumer::RadioTx),
+                    (RadioState::Receive, Consumer::RadioRx),
+                    (RadioState::Idle, Consumer::RadioIdle),
+                ];
+                let usage = medium.usage(*radio, self.engine.now());
+                for (state, consumer) in states {
+                    accounts.draw(consumer, usage.charge(state));
+                }
+            }
+        }
+        accounts
+    }
+
+    fn summary(&self, start: Instant, ended: &str) -> Summary {
+        let (engine, swarm) = (&self.engine, self.engine.domain());
+        let stats = engine.stats();
+        let wall_s = start.elapsed().as_secs_f64();
+        let virtual_s = engine.now().as_secs_f64();
+        let radio_s = (swarm.radio_nanos.load(Ordering::Relaxed) as f64 / engine.threads() as f64
+            + swarm.medium_nanos as f64)
+            * 1e-9;
+        let radio_in_run_s = swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
+        let events_s = (stats.wall.run_s - radio_in_run_s).max(0.0);
+        let physics_s =
+            (stats.wall.open_s + stats.wall.close_s - swarm.medium_nanos as f64 * 1e-9).max(0.0);
+        let mut total = Accounts::default();
+        for id in 0..engine.agents().len() {
+            total.add(&self.accounts_of(ModelId(id as u32)));
+        }
+        let lateness = engine.lateness();
+        Summary {
+            scenario: self.origin.name.clone(),
+            seed: self.origin.seed,
+            models: swarm.population.len(),
+            bodies: swarm.owners.len(),
+            radios: engine.agents().iter().map(|a| a.core.radios.len()).sum(),
+            threads: engine.threads(),
+            ended: ended.to_owned(),
+            virtual_s,
+            wall_s,
+            speed: virtual_s / wall_s.max(1e-9),
+            time: TimeShares {
+                init_s: self.init_s,
+                events_s,
+                physics_s,
+                radio_s,
+                other_s: (wall_s - events_s - physics_s - radio_s).max(0.0),
+            },
+            events: stats.events,
+            instants: stats.instants,
+            touches: swarm.touch_count,
+            packets: packets(swarm),
+            charge: Consumer::ALL
+                .into_iter()
+                .map(|consumer| ChargeLine {
+                    consumer: consumer.name(),
+                    milliampere_seconds: total.drawn(consumer).get() * 1e3,
+                })
+                .collect(),
+            lateness: engine.control().factor().map(|_| Lateness {
+                late: lateness.late,
+                max_ms: lateness.max.as_secs_f64() * 1e3,
+            }),
+            trace_hash: format!("{:016x}", engine.trace().total()),
+            trace_seconds: engine.trace().marks().map(|m| format!("{} {:016x}", m.second, m.hash)).collect(),
+            notes: Vec::new(),
+        }
+    }
+}
+
+impl Observer {
+    fn new(component: Box<dyn Component>) -> Self {
+        let period = component.period().and_then(|p| SimTime::from_time(p).ok());
+        let clock = period.map(SimTime::nanos).filter(|p| *p > 0).map(|p| (SimTime::ZERO, p));
+        Self { component, clock, seen: 0 }
+    }
+}
+
+fn view<'a>(
+    engine: &'a Engine<Swarm>,
+    origin: &'a Origin,
+    now: SimTime,
+    marks: &'a [Mark],
+) -> View<'a> {
+    View { now, swarm: engine.domain(), marks, origin }
+}
+
+fn packets(swarm: &Swarm) -> Packets {
+    let Some(medium) = &swarm.medium else { return Packets::default() };
+    let counters = medium.totals();
+    let lost = Loss::ALL.into_iter().map(|why| (why.name().to_owned(), counters.lost(why)));
+    Packets {
+        sent: counters.sent,
+        received: counters.received,
+        lost: lost.filter(|(_, n)| *n > 0).collect(),
+    }
+}

@@ -1,0 +1,157 @@
+//! What a run is made of.
+
+use crate::component::Component;
+use crate::config::Fault;
+use crate::instance::{GearPlan, Instance};
+use crate::population::{Member, Population};
+use crate::registry::{ModelFactory, VehicleFactory};
+use crate::swarm::{Agent, Core, MailRoom, Swarm};
+use crate::view::Origin;
+use simbeeotic_kernel::rng::path_key;
+use simbeeotic_kernel::Stream;
+use simbeeotic_kernel::{Limits, Timers};
+use simbeeotic_physics::{Config as PhysicsConfig, Physics};
+use simbeeotic_radio::Medium;
+use simbeeotic_units::Pose;
+use simbeeotic_world::{Weather, World};
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+
+/// What a run is made of.
+pub struct Setup {
+    /// Name, scenario text, seed, version.
+    pub origin: Origin,
+    /// When it ends, and what else ends it.
+    pub limits: Limits,
+    /// Threads that run the models; the trace is the same for any number.
+    pub threads: usize,
+    /// How many times faster than the wall clock it may run; `None`: as fast as it can.
+    pub pace: Option<f64>,
+    /// Gravity, ground, contact lists.
+    pub physics: PhysicsConfig,
+    /// The air that radios share; `None`: no packet goes anywhere.
+    pub medium: Option<Box<dyn Medium>>,
+    /// The weather.
+    pub weather: Arc<dyn Weather>,
+    /// The world's objects.
+    pub world: Arc<World>,
+    /// The models, in order; parents before their children.
+    pub models: Vec<ModelPlan>,
+    /// Who watches, each with the name of its part.
+    pub components: Vec<(String, Box<dyn Component>)>,
+}
+
+/// One model of a [`Setup`].
+pub struct ModelPlan {
+    /// Its path: `bee-17`, `hive/bee-17`.
+    pub path: String,
+    /// The name of the part it is made from.
+    pub kind: &'static str,
+    /// Makes it.
+    pub factory: Arc<dyn ModelFactory>,
+    /// Makes its vehicle, if it flies.
+    pub vehicle: Option<Arc<dyn VehicleFactory>>,
+    /// Its sensors and radios.
+    pub gear: Arc<GearPlan>,
+    /// Where it starts.
+    pub start: Pose,
+    /// The model it is nested in: its place in [`Setup::models`].
+    pub parent: Option<usize>,
+}
+
+/// A run cannot be put together.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SetupError {
+    /// A model cannot be built.
+    #[error("{path}: {fault}")]
+    Model {
+        /// Its path.
+        path: String,
+        /// Why, and where in the scenario.
+        fault: Fault,
+    },
+    /// Two models have one path.
+    #[error("two models are called `{path}`")]
+    DuplicatePath {
+        /// The path.
+        path: String,
+    },
+    /// A pace that is not a number above zero.
+    #[error(transparent)]
+    Pace(#[from] simbeeotic_kernel::pace::PaceError),
+    /// The engine cannot be made.
+    #[error(transparent)]
+    Engine(#[from] simbeeotic_kernel::EngineError),
+}
+
+/// The swarm and its models, ready for the engine.
+pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupError> {
+    let plans = std::mem::take(&mut setup.models);
+    let seed = setup.origin.seed;
+    let mut physics = Physics::new(setup.physics);
+    let mut medium = setup.medium.take();
+    let mut population = Population::default();
+    let (mut agents, mut bodies, mut owners) = (Vec::new(), Vec::new(), Vec::new());
+    let mut keys = Vec::with_capacity(plans.len());
+    for plan in &plans {
+        let parent = plan.parent.map(|at| simbeeotic_kernel::ModelId(at as u32));
+        let member = Member { path: plan.path.clone(), kind: plan.kind, parent };
+        let id = population
+            .add(member)
+            .ok_or_else(|| SetupError::DuplicatePath { path: plan.path.clone() })?;
+        let mut instance = Instance {
+            id,
+            path: Arc::from(plan.path.as_str()),
+            seed,
+            start: plan.start,
+            gear: Arc::clone(&plan.gear),
+            vehicle: plan.vehicle.as_deref(),
+            physics: &mut physics,
+            medium: medium.as_mut(),
+            body: None,
+            radios: Vec::new(),
+        };
+        let model = plan
+            .factory
+            .build(&mut instance)
+            .map_err(|fault| SetupError::Model { path: plan.path.clone(), fault })?;
+        if instance.body.is_some() {
+            owners.push(id);
+        }
+        bodies.push(instance.body);
+        keys.push(path_key(&plan.path));
+        let core = Core {
+            id,
+            body: instance.body,
+            radios: instance.radios.into(),
+            rng: Stream::new(seed, &plan.path, "behavior"),
+            timers: Timers::new(),
+            calls: Vec::new(),
+            accounts: crate::energy::Accounts::default(),
+        };
+        agents.push(Agent { model, core });
+    }
+    let swarm = Swarm {
+        physics,
+        gravity: setup.physics.gravity,
+        medium,
+        weather: Arc::clone(&setup.weather),
+        world: Arc::clone(&setup.world),
+        population,
+        keys,
+        bodies,
+        owners,
+        mail: MailRoom::default(),
+        contacts: Vec::new(),
+        touches: Vec::new(),
+        listeners: Vec::new(),
+        touch_count: 0,
+        jumps: 0,
+        marks: Vec::new(),
+        keep_marks: false,
+        radio_nanos: AtomicU64::new(0),
+        medium_nanos: 0,
+    };
+    Ok((swarm, agents))
+}

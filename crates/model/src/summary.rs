@@ -1,0 +1,93 @@
+//! What a run came to: the numbers that the program prints and `--json` gives.
+
+use crate::component::Note;
+use serde::Serialize;
+
+/// The numbers of one run. Wall-clock figures differ from run to run; all else repeats.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Summary {
+    /// The scenario's name.
+    pub scenario: String,
+    /// The master seed.
+    pub seed: u64,
+    /// Number of models.
+    pub models: usize,
+    /// Number of bodies.
+    pub bodies: usize,
+    /// Number of radios.
+    pub radios: usize,
+    /// Threads that ran the models.
+    pub threads: usize,
+    /// Why it ended: `end time`, `wall time`, a model's own words, ...
+    pub ended: String,
+    /// Virtual seconds simulated.
+    pub virtual_s: f64,
+    /// Wall-clock seconds from the first event to the last.
+    pub wall_s: f64,
+    /// Virtual seconds per wall-clock second.
+    pub speed: f64,
+    /// Where the wall-clock time went.
+    pub time: TimeShares,
+    /// Events handled.
+    pub events: u64,
+    /// Instants: distinct times at which something happened.
+    pub instants: u64,
+    /// Touches between bodies, and between bodies and the ground.
+    pub touches: u64,
+    /// Radio packets.
+    pub packets: Packets,
+    /// Charge drawn by all platforms.
+    pub charge: Vec<ChargeLine>,
+    /// How late a paced run was; absent when it ran as fast as it could.
+    pub lateness: Option<Lateness>,
+    /// Hash of everything that happened: equal hashes, equal runs.
+    pub trace_hash: String,
+    /// The same at the end of each virtual second.
+    pub trace_seconds: Vec<String>,
+    /// What components add: where the recording is, say.
+    pub notes: Vec<Note>,
+}
+
+/// Wall-clock seconds by kind of work. For small instants they are sampled, so they are estimates.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct TimeShares {
+    /// Building the run, before its first event.
+    pub init_s: f64,
+    /// Behaviours, vehicles, sensors, and the kernel's calls of them.
+    pub events_s: f64,
+    /// Moving bodies, finding and resolving contacts.
+    pub physics_s: f64,
+    /// Who hears what.
+    pub radio_s: f64,
+    /// The rest: the event queue, commits, components, waiting.
+    pub other_s: f64,
+}
+
+/// Packets by their fate. Each packet sent may be received, or lost, many times.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Packets {
+    /// Frames sent.
+    pub sent: u64,
+    /// Receptions handed to behaviours.
+    pub received: u64,
+    /// Receptions lost, by reason.
+    pub lost: Vec<(String, u64)>,
+}
+
+/// Charge drawn by one kind of consumer.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChargeLine {
+    /// The consumer.
+    pub consumer: &'static str,
+    /// Charge, mA·s.
+    pub milliampere_seconds: f64,
+}
+
+/// How late a paced run was.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Lateness {
+    /// Instants that ran late.
+    pub late: u64,
+    /// The worst.
+    pub max_ms: f64,
+}

@@ -1,0 +1,476 @@
+//! The shared state of a run: bodies, air, weather, population; and what happens to it.
+//!
+//! [`Swarm`] is the kernel's domain. In one round of an instant:
+//!
+//! 1. *open*: bodies that touch now are resolved, frames that are due go through the medium;
+//!    whoever was touched or may hear something is woken too;
+//! 2. *run*: models run in parallel and see the swarm as it is after 1;
+//! 3. *commit*: what they did is applied in the order of their ids;
+//! 4. *close*: contacts of the bodies that changed are predicted anew.
+
+use crate::energy::Accounts;
+use crate::host::Cx;
+use crate::message::{Message, Touch};
+use crate::model::{Model, Wake as ModelWake};
+use crate::population::Population;
+use crate::timer::{Call, TimerHandle};
+use simbeeotic_kernel::{
+    Committing, Domain, ModelId, Opening, Outbox, SimTime, Stream, Timers, Trace, Visit, Wake,
+};
+use simbeeotic_physics::{BodyId, Contact, Motion, Physics};
+use simbeeotic_radio::{Command, Medium, Poses, RadioId, Request, Scratch};
+use simbeeotic_units::{
+    Acceleration, Attitude, Length, Pose, Position, Rate, Twist, Velocity, glam,
+};
+use simbeeotic_world::{Weather, World};
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Tags of wake-ups that are not timers.
+pub(crate) mod wake {
+    /// The model's start.
+    pub(crate) const START: u32 = 1;
+    /// A message; the argument is its place in the mail room.
+    pub(crate) const TELL: u32 = 2;
+    /// The model's end.
+    pub(crate) const FINISH: u32 = 3;
+}
+
+/// One model and what belongs to it alone.
+pub struct Agent {
+    pub(crate) model: Box<dyn Model>,
+    pub(crate) core: Core,
+}
+
+/// What every model has, whatever it is.
+pub(crate) struct Core {
+    pub(crate) id: ModelId,
+    pub(crate) body: Option<BodyId>,
+    pub(crate) radios: Box<[RadioId]>,
+    pub(crate) rng: Stream,
+    pub(crate) timers: Timers,
+    /// What each timer calls.
+    pub(crate) calls: Vec<Call>,
+    pub(crate) accounts: Accounts,
+}
+
+/// A body's motion as its model has changed it in one call.
+#[derive(Clone, Copy)]
+pub struct Own {
+    pub(crate) motion: Motion,
+    /// Whether it was put elsewhere, and did not only get there by moving.
+    pub(crate) jumped: bool,
+}
+
+/// What a model does to others.
+pub enum Effect {
+    /// Its own body moves differently from now on.
+    Motion(Own),
+    /// A packet goes on the air.
+    Transmit(Request),
+    /// A radio sleeps, wakes, tunes.
+    Command(RadioId, Command),
+    /// A message to another model.
+    Tell {
+        /// To whom.
+        receiver: ModelId,
+        /// When it arrives.
+        at: SimTime,
+        /// What.
+        message: Message,
+    },
+    /// A line for the log.
+    Log(String),
+    /// A number for the record.
+    Metric {
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it is counted in.
+        unit: &'static str,
+    },
+    /// A message has been read.
+    Read(u32),
+}
+
+/// Something that happened, for recorders and viewers.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Mark {
+    /// Two bodies touched; `None` is the ground.
+    Touch {
+        /// When.
+        time: SimTime,
+        /// Who.
+        a: ModelId,
+        /// Whom.
+        b: Option<ModelId>,
+    },
+    /// A model wrote a line.
+    Log {
+        /// When.
+        time: SimTime,
+        /// Who.
+        model: ModelId,
+        /// What.
+        text: String,
+    },
+    /// A model published a number.
+    Metric {
+        /// When.
+        time: SimTime,
+        /// Who.
+        model: ModelId,
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it is counted in.
+        unit: &'static str,
+    },
+}
+
+/// The shared state of a run.
+pub struct Swarm {
+    pub(crate) physics: Physics,
+    pub(crate) gravity: Acceleration,
+    pub(crate) medium: Option<Box<dyn Medium>>,
+    pub(crate) weather: Arc<dyn Weather>,
+    pub(crate) world: Arc<World>,
+    pub(crate) population: Population,
+    /// Identity of each model in traces and draws.
+    pub(crate) keys: Vec<u64>,
+    /// Each model's body.
+    pub(crate) bodies: Vec<Option<BodyId>>,
+    /// Each body's model.
+    pub(crate) owners: Vec<ModelId>,
+    /// Messages under way.
+    pub(crate) mail: MailRoom,
+    /// Contacts resolved in this round.
+    pub(crate) contacts: Vec<Contact>,
+    /// The same as each touched model sees them, by model.
+    pub(crate) touches: Vec<(ModelId, Touch)>,
+    /// Who may hear something in this round.
+    pub(crate) listeners: Vec<ModelId>,
+    pub(crate) touch_count: u64,
+    /// How often a body was put elsewhere.
+    pub(crate) jumps: u64,
+    pub(crate) marks: Vec<Mark>,
+    /// Whether anybody looks at the marks.
+    pub(crate) keep_marks: bool,
+    /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
+    pub(crate) radio_nanos: AtomicU64,
+    pub(crate) medium_nanos: u64,
+}
+
+/// Messages under way, by number.
+#[derive(Default)]
+pub(crate) struct MailRoom {
+    slots: Vec<Option<Message>>,
+    free: Vec<u32>,
+}
+
+impl MailRoom {
+    fn put(&mut self, message: Message) -> u32 {
+        match self.free.pop() {
+            Some(slot) => {
+                self.slots[slot as usize] = Some(message);
+                slot
+            }
+            None => {
+                self.slots.push(Some(message));
+                self.slots.len() as u32 - 1
+            }
+        }
+    }
+
+    fn get(&self, slot: u32) -> Option<&Message> {
+        self.slots.get(slot as usize)?.as_ref()
+    }
+
+    fn clear(&mut self, slot: u32) {
+        self.slots[slot as usize] = None;
+        self.free.push(slot);
+    }
+}
+
+impl Swarm {
+    /// The model's body, if it has one.
+    pub(crate) fn body_of(&self, id: ModelId) -> Option<BodyId> {
+        self.bodies.get(id.index()).copied().flatten()
+    }
+
+    pub(crate) fn pose_of(&self, id: ModelId, now: SimTime) -> Option<Pose> {
+        let motion = self.physics.motion(self.body_of(id)?);
+        Some(Pose { position: Position::from_si(motion.position(now)), attitude: Attitude::from_unit_quat(motion.attitude(now)) })
+    }
+
+    pub(crate) fn twist_of(&self, id: ModelId, now: SimTime) -> Option<Twist> {
+        let motion = self.physics.motion(self.body_of(id)?);
+        Some(Twist {
+            linear: Velocity::from_si(motion.velocity(now)),
+            angular: Rate::from_si(motion.rate(now)),
+        })
+    }
+
+    pub(crate) fn radius_of(&self, id: ModelId) -> Option<Length> {
+        Some(Length::si(self.physics.motion(self.body_of(id)?).radius_m()))
+    }
+
+    pub(crate) fn gravity(&self) -> Acceleration {
+        self.gravity
+    }
+
+    /// Models with a body whose centre is within `radius` of `at`, but for `but`, by id.
+    pub(crate) fn neighbors(
+        &self,
+        at: Position,
+        radius: Length,
+        now: SimTime,
+        but: ModelId,
+    ) -> Vec<ModelId> {
+        let mut bodies = Vec::new();
+        self.physics.near(at.si(), radius.get(), now, &mut bodies);
+        let owners = bodies.iter().map(|body| self.owners[body.0 as usize]);
+        let mut models: Vec<_> = owners.filter(|id| *id != but).collect();
+        models.sort_unstable();
+        models
+    }
+
+    /// Frames sent, and receptions handed out by the medium.
+    pub(crate) fn packets(&self) -> (u64, u64) {
+        let totals = self.medium.as_ref().map(|m| m.totals()).unwrap_or_default();
+        (totals.sent, totals.received)
+    }
+
+    fn mark(&mut self, mark: impl FnOnce() -> Mark) {
+        if self.keep_marks {
+            self.marks.push(mark());
+        }
+    }
+
+    /// Resolves the contacts that are due.
+    fn open_contacts(&mut self, round: &mut Opening<'_>) {
+        let now = round.now();
+        self.touches.clear();
+        if self.physics.next_time().is_none_or(|next| next > now) {
+            return;
+        }
+        self.contacts.clear();
+        self.physics.advance(now, &mut self.contacts);
+        for at in 0..self.contacts.len() {
+            let contact = self.contacts[at];
+            let a = self.owners[contact.a.0 as usize];
+            let b = contact.b.map(|b| self.owners[b.0 as usize]);
+            round.fold(self.keys[a.index()]);
+            round.fold(b.map_or(0, |b| self.keys[b.index()]));
+            round.fold(bits(contact.impulse_enu));
+            self.touch_count += 1;
+            self.mark(|| Mark::Touch { time: now, a, b });
+            self.touches.push((a, touch(&contact, now, b, 1.0)));
+            round.visit(a);
+            if let Some(b) = b {
+                self.touches.push((b, touch(&contact, now, Some(a), -1.0)));
+                round.visit(b);
+            }
+        }
+        self.touches.sort_by_key(|(id, _)| *id);
+    }
+
+    /// Puts the frames that are due through the medium.
+    fn open_medium(&mut self, round: &mut Opening<'_>) {
+        self.listeners.clear();
+        let Some(mut medium) = self.medium.take() else { return };
+        let now = round.now();
+        let due = medium.next_time().is_some_and(|next| next <= now);
+        let start = due.then(crate::watch::now);
+        let mut listeners = std::mem::take(&mut self.listeners);
+        medium.open(now, &Still { swarm: self, now }, &mut listeners);
+        for id in &listeners {
+            round.visit(*id);
+        }
+        self.listeners = listeners;
+        self.medium_nanos += start.map_or(0, crate::watch::nanos_since);
+        self.medium = Some(medium);
+    }
+}
+
+/// A contact as one of its two bodies sees it; `side` is 1 for body a, -1 for body b.
+fn touch(contact: &Contact, time: SimTime, other: Option<ModelId>, side: f64) -> Touch {
+    Touch {
+        time,
+        other,
+        point: Position::from_si(contact.point_enu),
+        normal: (contact.normal_enu * side).to_array(),
+        relative_velocity: Velocity::from_si(contact.relative_velocity_enu * side),
+        impulse: simbeeotic_units::ForceVec::from_si(contact.impulse_enu * side),
+    }
+}
+
+/// A motion as one word: where it is, how it moves, how it points.
+fn digest(motion: &Motion, now: SimTime) -> u64 {
+    let mut trace = Trace::START;
+    trace.fold(bits(motion.position(now)));
+    trace.fold(bits(motion.velocity(now)));
+    trace.fold(bits(motion.acceleration()));
+    let q = motion.attitude(now);
+    trace.fold(bits(glam::DVec3::new(q.x, q.y, q.z)) ^ q.w.to_bits().rotate_left(11));
+    trace.hash()
+}
+
+/// Three floats as one word.
+fn bits(v: glam::DVec3) -> u64 {
+    v.x.to_bits() ^ v.y.to_bits().rotate_left(21) ^ v.z.to_bits().rotate_left(42)
+}
+
+/// The swarm at one instant, for the medium.
+struct Still<'a> {
+    swarm: &'a Swarm,
+    now: SimTime,
+}
+
+impl Poses for Still<'_> {
+    fn pose(&self, owner: ModelId) -> Pose {
+        self.swarm.pose_of(owner, self.now).unwrap_or_default()
+    }
+
+    fn position(&self, owner: ModelId) -> Position {
+        let body = self.swarm.body_of(owner);
+        body.map_or(Position::ZERO, |b| Position::from_si(self.swarm.physics.motion(b).position(self.now)))
+    }
+
+    fn generation(&self) -> u64 {
+        self.swarm.jumps
+    }
+}
+
+thread_local! {
+    /// Room for the packets of one receiver at a time.
+    static SCRATCH: RefCell<Scratch> = RefCell::new(Scratch::default());
+}
+
+impl Domain for Swarm {
+    type Agent = Agent;
+    type Effect = Effect;
+
+    fn key(&self, id: ModelId) -> u64 {
+        self.keys[id.index()]
+    }
+
+    fn path(&self, id: ModelId) -> String {
+        self.population.path(id).to_owned()
+    }
+
+    fn next_time(&mut self) -> Option<SimTime> {
+        let medium = self.medium.as_ref().and_then(|m| m.next_time());
+        match (self.physics.next_time(), medium) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        }
+    }
+
+    fn open(&mut self, round: &mut Opening<'_>) {
+        self.open_contacts(round);
+        self.open_medium(round);
+    }
+
+    fn run(&self, agent: &mut Agent, visit: &Visit<'_>, out: &mut Outbox<Effect>) {
+        let Agent { model, core } = agent;
+        let mut own = None;
+        let mut cx = Cx { now: visit.now, swarm: self, core, own: &mut own, out };
+
+        if !self.touches.is_empty() {
+            let first = self.touches.partition_point(|(id, _)| *id < visit.id);
+            for (_, touch) in self.touches[first..].iter().take_while(|(id, _)| *id == visit.id) {
+                model.wake(ModelWake::Touch(touch), &mut cx);
+            }
+        }
+        if !self.listeners.is_empty() && self.listeners.binary_search(&visit.id).is_ok() {
+            self.hear(&mut **model, &mut cx);
+        }
+        for event in visit.events {
+            self.deliver(&mut **model, event.wake, &mut cx);
+        }
+        if let Some(own) = own {
+            out.fold(digest(&own.motion, visit.now));
+            out.effect(Effect::Motion(own));
+        }
+    }
+
+    fn commit(&mut self, id: ModelId, effect: Effect, cx: &mut Committing<'_>) {
+        match effect {
+            Effect::Motion(own) => {
+                if let Some(body) = self.body_of(id) {
+                    self.jumps += u64::from(own.jumped);
+                    self.physics.commit(body, cx.now(), own.motion);
+                }
+            }
+            Effect::Transmit(request) => {
+                if let Some(medium) = &mut self.medium {
+                    medium.submit(cx.now(), request);
+                }
+            }
+            Effect::Command(radio, command) => {
+                let result = self.medium.as_mut().map(|m| m.command(cx.now(), radio, command));
+                if let Some(Err(error)) = result {
+                    cx.fault(error.to_string());
+                }
+            }
+            Effect::Tell { receiver, at, message } => {
+                let slot = self.mail.put(message);
+                cx.schedule_for(id, receiver, at, Wake::new(wake::TELL, slot));
+            }
+            Effect::Log(text) => {
+                let time = cx.now();
+                self.mark(|| Mark::Log { time, model: id, text });
+            }
+            Effect::Metric { name, value, unit } => {
+                let time = cx.now();
+                self.mark(|| Mark::Metric { time, model: id, name, value, unit });
+            }
+            Effect::Read(slot) => self.mail.clear(slot),
+        }
+    }
+
+    fn close(&mut self, now: SimTime) -> bool {
+        self.physics.settle(now);
+        self.next_time().is_some_and(|next| next <= now)
+    }
+}
+
+impl Swarm {
+    fn hear(&self, model: &mut dyn Model, cx: &mut Cx<'_>) {
+        let Some(medium) = &self.medium else { return };
+        SCRATCH.with_borrow_mut(|scratch| {
+            for at in 0..cx.core.radios.len() {
+                let start = crate::watch::now();
+                let inbox = medium.collect(cx.core.radios[at], scratch);
+                let nanos = crate::watch::nanos_since(start);
+                self.radio_nanos.fetch_add(nanos, Ordering::Relaxed);
+                if !inbox.is_empty() || !inbox.outcomes().is_empty() {
+                    cx.out.fold(inbox.digest());
+                    model.wake(ModelWake::Packets(inbox), cx);
+                }
+            }
+        });
+    }
+
+    fn deliver(&self, model: &mut dyn Model, wake: Wake, cx: &mut Cx<'_>) {
+        if wake.tag & Wake::TIMER != 0 {
+            let Some(fired) = cx.core.timers.fired(wake) else { return };
+            model.wake(ModelWake::Timer(TimerHandle::new(fired.timer)), cx);
+            if let Some((at, wake)) = cx.core.timers.rearm(fired) {
+                cx.out.schedule(at, cx.core.id, wake);
+            }
+        } else if wake.tag == wake::START {
+            model.start(cx);
+        } else if wake.tag == wake::FINISH {
+            model.finish(cx);
+        } else if let Some(message) = self.mail.get(wake.arg) {
+            model.wake(ModelWake::Message(message), cx);
+            cx.out.effect(Effect::Read(wake.arg));
+        }
+    }
+}

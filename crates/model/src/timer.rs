@@ -1,0 +1,27 @@
+//! Timers as models see them.
+
+/// One timer of a model.
+///
+/// Declared in `build` ([`Kit::every`](crate::Kit::every), [`Kit::once`](crate::Kit::once),
+/// [`Kit::timer`](crate::Kit::timer)) or created later ([`Cx::after`](crate::host::Cx::after)).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TimerHandle(u32);
+
+impl TimerHandle {
+    pub(crate) const fn new(index: u32) -> Self {
+        Self(index)
+    }
+
+    pub(crate) const fn index(self) -> u32 {
+        self.0
+    }
+}
+
+/// A method that timers may call, declared by [`Kit::call`](crate::Kit::call).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Call(pub(crate) u16);
+
+impl Call {
+    /// The host's control law, which is nobody's method.
+    pub(crate) const CONTROL: Self = Self(u16::MAX);
+}

@@ -1,0 +1,124 @@
+//! Vehicles: what turns set points into wrenches on a body.
+//!
+//! A behaviour that flies a [`Bee`](crate::host::Bee) speaks in set points (a velocity, a turn);
+//! which vehicle carries them out, and how faithfully, is the scenario's choice:
+//!
+//! ```toml
+//! [model.vehicle]
+//! use = "simple-bee"
+//! max_acceleration = "1 m/s^2"
+//! ```
+
+use crate::behavior::BuildError;
+use crate::config::Params;
+use crate::host::Platform;
+use simbeeotic_kernel::Stream;
+use simbeeotic_physics::BodySpec;
+use simbeeotic_units::{Angle, Flu, Position, Time, Velocity};
+
+/// What a behaviour asks of its vehicle; it holds until it is changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setpoint {
+    /// The velocity to fly, in the body frame.
+    pub velocity: Velocity<Flu>,
+    /// Whether the vehicle carries its own weight. When not, it falls.
+    pub hovering: bool,
+}
+
+impl Default for Setpoint {
+    fn default() -> Self {
+        Self { velocity: Velocity::ZERO, hovering: true }
+    }
+}
+
+/// A kind of vehicle that flies velocity set points. Register it with `#[vehicle("name")]`.
+pub trait Vehicle: Sized + Send + 'static {
+    /// What the scenario may set.
+    type Params: Params;
+
+    /// Makes one.
+    ///
+    /// # Errors
+    /// Parameters out of range, by [`BuildError::parameter`].
+    fn build(params: Self::Params, kit: &VehicleKit<'_>) -> Result<Self, BuildError>;
+
+    /// The body it flies with; the pose is filled in from the scenario's start.
+    fn body(&self) -> BodySpec;
+
+    /// Time between two runs of [`Vehicle::control`]. `None`: the control law never runs.
+    fn control_period(&self) -> Option<Time>;
+
+    /// When [`Vehicle::control`] first runs. At zero unless the vehicle says otherwise.
+    fn control_offset(&mut self) -> Time {
+        Time::ZERO
+    }
+
+    /// One step of the control law: sets the wrench on the body for the time until the next step.
+    fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>);
+
+    /// Turns about the body's up axis, counter-clockwise.
+    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>);
+
+    /// Points the body's forward axis at a place.
+    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>);
+
+    /// Called once, after the last event of the run: settles what is still owed.
+    fn finish(&mut self, _setpoint: &Setpoint, _platform: &mut Platform<'_>) {}
+}
+
+/// What a vehicle is built with.
+#[derive(Debug)]
+pub struct VehicleKit<'a> {
+    pub(crate) seed: u64,
+    pub(crate) path: &'a str,
+}
+
+impl VehicleKit<'_> {
+    /// A random stream of this vehicle's own, for one `purpose`.
+    pub fn stream(&self, purpose: &str) -> Stream {
+        Stream::new(self.seed, self.path, purpose)
+    }
+}
+
+/// A [`Vehicle`] with its type forgotten. Every vehicle is one.
+pub trait AnyVehicle: Send {
+    /// See [`Vehicle::body`].
+    fn body(&self) -> BodySpec;
+    /// First run and period of the control law; `None` if it never runs.
+    fn control_timing(&mut self) -> Option<(Time, Time)>;
+    /// See [`Vehicle::control`].
+    fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>);
+    /// See [`Vehicle::turn`].
+    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>);
+    /// See [`Vehicle::turn_toward`].
+    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>);
+    /// See [`Vehicle::finish`].
+    fn finish(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>);
+}
+
+impl<V: Vehicle> AnyVehicle for V {
+    fn body(&self) -> BodySpec {
+        Vehicle::body(self)
+    }
+
+    fn control_timing(&mut self) -> Option<(Time, Time)> {
+        let period = self.control_period()?;
+        Some((self.control_offset(), period))
+    }
+
+    fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
+        Vehicle::control(self, setpoint, platform);
+    }
+
+    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
+        Vehicle::turn(self, angle, platform);
+    }
+
+    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
+        Vehicle::turn_toward(self, point, platform);
+    }
+
+    fn finish(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
+        Vehicle::finish(self, setpoint, platform);
+    }
+}

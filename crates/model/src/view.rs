@@ -1,0 +1,163 @@
+//! What sensors and components see: truth, read only.
+
+use crate::population::Population;
+use crate::swarm::{Mark, Swarm};
+use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_units::{Accel, Enu, Flu, Length, Mount, Pose, Twist, Velocity, glam};
+use simbeeotic_world::World;
+
+/// The truth about a platform and its surroundings, from which a sensor makes a reading.
+pub struct Truth<'a> {
+    pub(crate) now: SimTime,
+    pub(crate) pose: Pose,
+    pub(crate) twist: Twist,
+    pub(crate) acceleration: Accel<Enu>,
+    pub(crate) host: ModelId,
+    pub(crate) mount: Mount,
+    pub(crate) swarm: &'a Swarm,
+}
+
+impl Truth<'_> {
+    /// The instant of the reading.
+    pub fn now(&self) -> SimTime {
+        self.now
+    }
+
+    /// The model that carries the sensor.
+    pub fn host(&self) -> ModelId {
+        self.host
+    }
+
+    /// The host's pose.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// The host's twist.
+    pub fn twist(&self) -> Twist {
+        self.twist
+    }
+
+    /// The host's acceleration in the world frame, gravity included.
+    pub fn acceleration(&self) -> Accel<Enu> {
+        self.acceleration
+    }
+
+    /// The host's specific force in its body frame: what an accelerometer at the centre of mass
+    /// feels. Zero in free fall, one g upwards at rest.
+    pub fn specific_force(&self) -> Accel<Flu> {
+        let lift = glam::DVec3::new(0.0, 0.0, self.swarm.gravity().get());
+        self.pose.attitude.unrotate(Accel::from_si(self.acceleration.si() + lift))
+    }
+
+    /// Where the sensor sits on its host.
+    pub fn mount(&self) -> Mount {
+        self.mount
+    }
+
+    /// The sensor's own pose in the world.
+    pub fn sensor_pose(&self) -> Pose {
+        self.pose * self.mount
+    }
+
+    /// The wind at the host.
+    pub fn wind(&self) -> Velocity<Enu> {
+        self.swarm.weather.wind(self.pose.position, self.now)
+    }
+
+    /// The air and its weather.
+    pub fn weather(&self) -> &dyn simbeeotic_world::Weather {
+        &*self.swarm.weather
+    }
+
+    /// The pose of another model's body, as the instant began.
+    pub fn pose_of(&self, id: ModelId) -> Option<Pose> {
+        self.swarm.pose_of(id, self.now)
+    }
+
+    /// All other models whose body's centre is within `radius` of the host, by id.
+    pub fn neighbors(&self, radius: Length) -> Vec<ModelId> {
+        self.swarm.neighbors(self.pose.position, radius, self.now, self.host)
+    }
+
+    /// The world's objects.
+    pub fn world(&self) -> &World {
+        &self.swarm.world
+    }
+}
+
+/// The state of a run as components see it, between instants. Read only.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    pub(crate) now: SimTime,
+    pub(crate) swarm: &'a Swarm,
+    pub(crate) marks: &'a [Mark],
+    pub(crate) origin: &'a Origin,
+}
+
+/// Where a run comes from: enough to run it again.
+#[derive(Clone, Debug, Default)]
+pub struct Origin {
+    /// The scenario's name, for people.
+    pub name: String,
+    /// The scenario's text, as TOML.
+    pub scenario: String,
+    /// The master seed.
+    pub seed: u64,
+    /// The version of the program.
+    pub version: String,
+}
+
+impl<'a> View<'a> {
+    /// The present.
+    pub fn now(&self) -> SimTime {
+        self.now
+    }
+
+    /// Where the run comes from.
+    pub fn origin(&self) -> &'a Origin {
+        self.origin
+    }
+
+    /// All models.
+    pub fn population(&self) -> &'a Population {
+        &self.swarm.population
+    }
+
+    /// The world's objects.
+    pub fn world(&self) -> &'a World {
+        &self.swarm.world
+    }
+
+    /// The models that have a body, by id.
+    pub fn bodies(&self) -> impl Iterator<Item = ModelId> + 'a {
+        let swarm = self.swarm;
+        swarm.population.iter().map(|(id, _)| id).filter(|id| swarm.body_of(*id).is_some())
+    }
+
+    /// The pose of a model's body now.
+    pub fn pose(&self, id: ModelId) -> Option<Pose> {
+        self.swarm.pose_of(id, self.now)
+    }
+
+    /// The twist of a model's body now.
+    pub fn twist(&self, id: ModelId) -> Option<Twist> {
+        self.swarm.twist_of(id, self.now)
+    }
+
+    /// The radius of the sphere around a model's body.
+    pub fn radius(&self, id: ModelId) -> Option<Length> {
+        self.swarm.radius_of(id)
+    }
+
+    /// What happened since the last observation of this component's clock: touches, log lines,
+    /// metrics, in order.
+    pub fn marks(&self) -> &'a [Mark] {
+        self.marks
+    }
+
+    /// Packets sent and received so far.
+    pub fn packets(&self) -> (u64, u64) {
+        self.swarm.packets()
+    }
+}

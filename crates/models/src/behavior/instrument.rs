@@ -1,0 +1,96 @@
+//! Figure 11 of the paper: a load for measuring the simulator.
+
+use super::walk;
+use crate::phase::Phase;
+use simbeeotic_model::check::{at_least_zero, positive};
+use simbeeotic_model::units::{Angle, Heading, Speed, Time};
+use simbeeotic_model::{Bee, Behavior, BuildError, Handle, Kit, RadioHandle, behavior, params};
+
+/// A bee that wanders, reads its compass and broadcasts: a load for measuring the simulator.
+///
+/// It walks at random at each step of its vehicle's control law (10 Hz unless changed), reads the
+/// compass once a second, and, if it carries a radio, broadcasts four bytes once a second. This is
+/// the workload of the paper's figures 6 to 8.
+#[behavior("instrument-bee", java = "harvard.robobees.simbeeotic.example.InstrumentBee")]
+pub struct InstrumentBee {
+    params: InstrumentBeeParams,
+    compass: Option<Handle<Heading>>,
+    radio: Option<RadioHandle>,
+}
+
+/// Parameters of [`InstrumentBee`].
+#[params]
+pub struct InstrumentBeeParams {
+    /// Top speed of the walk.
+    pub max_speed: Speed,
+    /// Standard deviation of each change of the velocity, forward and up.
+    pub velocity_sigma: Speed,
+    /// Standard deviation of each turn.
+    pub heading_sigma: Angle,
+    /// Time between readings of the compass.
+    pub sensor_period: Time,
+    /// Time between packets.
+    pub radio_period: Time,
+    /// Whether it uses its radio, if it carries one.
+    pub use_radio: bool,
+    /// When sensor and radio are first used.
+    pub phase: Phase,
+}
+
+impl Default for InstrumentBeeParams {
+    fn default() -> Self {
+        Self {
+            max_speed: Speed::si(2.0),
+            velocity_sigma: Speed::si(0.2),
+            heading_sigma: Angle::si(0.2),
+            sensor_period: Time::si(1.0),
+            radio_period: Time::si(1.0),
+            use_radio: true,
+            phase: Phase::Aligned,
+        }
+    }
+}
+
+impl Behavior for InstrumentBee {
+    type Params = InstrumentBeeParams;
+
+    fn build(params: InstrumentBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        at_least_zero("max_speed", params.max_speed.get())?;
+        at_least_zero("velocity_sigma", params.velocity_sigma.get())?;
+        at_least_zero("heading_sigma", params.heading_sigma.get())?;
+        positive("sensor_period", params.sensor_period.get())?;
+        positive("radio_period", params.radio_period.get())?;
+
+        let mut phases = kit.stream("phase");
+        let compass = kit.optional_sensor("compass")?;
+        if compass.is_some() {
+            let first = params.phase.first(params.sensor_period, &mut phases);
+            kit.every_from(first, params.sensor_period, Self::look);
+        }
+        let radio = kit.optional_radio().filter(|_| params.use_radio);
+        if radio.is_some() {
+            let first = params.phase.first(params.radio_period, &mut phases);
+            kit.every_from(first, params.radio_period, Self::talk);
+        }
+        Ok(Self { params, compass, radio })
+    }
+
+    fn on_control(&mut self, bee: &mut Bee<'_>) {
+        let p = &self.params;
+        walk::step(bee, p.heading_sigma, p.velocity_sigma, p.max_speed);
+    }
+}
+
+impl InstrumentBee {
+    fn look(&mut self, bee: &mut Bee<'_>) {
+        if let Some(compass) = self.compass {
+            let _heading = bee.read(compass);
+        }
+    }
+
+    fn talk(&mut self, bee: &mut Bee<'_>) {
+        if let Some(radio) = self.radio {
+            bee.send(radio, &[1, 2, 3, 4]);
+        }
+    }
+}

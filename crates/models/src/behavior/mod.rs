@@ -1,0 +1,8 @@
+//! Behaviours: what vehicles and stations do.
+
+pub mod broadcast;
+pub mod hive;
+pub mod inert;
+pub mod instrument;
+pub mod random_walk;
+mod walk;

@@ -1,0 +1,50 @@
+//! A bee on a random walk.
+
+use super::walk;
+use simbeeotic_model::check::at_least_zero;
+use simbeeotic_model::units::{Angle, Speed};
+use simbeeotic_model::{Bee, Behavior, BuildError, Kit, behavior, params};
+
+/// A bee on a random walk: at each step of its vehicle's control law it turns at random and
+/// changes its velocity, forward and up, at random.
+#[behavior("random-walk-bee", java = "harvard.robobees.simbeeotic.example.RandomWalkBee")]
+pub struct RandomWalkBee {
+    params: RandomWalkBeeParams,
+}
+
+/// Parameters of [`RandomWalkBee`].
+#[params]
+pub struct RandomWalkBeeParams {
+    /// Top speed of the walk.
+    pub max_speed: Speed,
+    /// Standard deviation of each change of the velocity, forward and up.
+    pub velocity_sigma: Speed,
+    /// Standard deviation of each turn.
+    pub heading_sigma: Angle,
+}
+
+impl Default for RandomWalkBeeParams {
+    fn default() -> Self {
+        Self {
+            max_speed: Speed::si(2.0),
+            velocity_sigma: Speed::si(0.2),
+            heading_sigma: Angle::si(std::f64::consts::PI / 16.0),
+        }
+    }
+}
+
+impl Behavior for RandomWalkBee {
+    type Params = RandomWalkBeeParams;
+
+    fn build(params: RandomWalkBeeParams, _kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        at_least_zero("max_speed", params.max_speed.get())?;
+        at_least_zero("velocity_sigma", params.velocity_sigma.get())?;
+        at_least_zero("heading_sigma", params.heading_sigma.get())?;
+        Ok(Self { params })
+    }
+
+    fn on_control(&mut self, bee: &mut Bee<'_>) {
+        let p = &self.params;
+        walk::step(bee, p.heading_sigma, p.velocity_sigma, p.max_speed);
+    }
+}

@@ -1,0 +1,3 @@
+//! Propagation: what is lost between two antennas.
+
+pub mod free_space;

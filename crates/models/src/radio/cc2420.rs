@@ -1,0 +1,38 @@
+//! The CC2420: the radio of the paper.
+
+use simbeeotic_model::radio::{RadioSpec, cc2420};
+use simbeeotic_model::{BuildError, Radio, params, radio};
+
+/// Texas Instruments CC2420: 2.4 GHz, IEEE 802.15.4, 250 kbit/s.
+///
+/// Numbers and sources: `simbeeotic_radio::cc2420`.
+#[radio("cc2420", java = "harvard.robobees.simbeeotic.model.comms.CC2420")]
+pub struct Cc2420;
+
+/// Parameters of [`Cc2420`].
+#[params]
+pub struct Cc2420Params {
+    /// IEEE 802.15.4 channel, 11 to 26: 2405 MHz and up, 5 MHz apart.
+    pub channel: u8,
+    /// `PA_LEVEL`, 3 to 31: -25 dBm to 0 dBm; levels between those of the datasheet's table are
+    /// interpolated.
+    pub tx_level: u8,
+}
+
+impl Default for Cc2420Params {
+    fn default() -> Self {
+        Self { channel: 11, tx_level: 31 }
+    }
+}
+
+impl Radio for Cc2420 {
+    type Params = Cc2420Params;
+
+    fn spec(params: Cc2420Params) -> Result<RadioSpec, BuildError> {
+        if !(11..=26).contains(&params.channel) {
+            return Err(BuildError::parameter("channel", "must be a channel from 11 to 26"));
+        }
+        cc2420::spec(params.channel, params.tx_level)
+            .ok_or_else(|| BuildError::parameter("tx_level", "must be a level from 3 to 31"))
+    }
+}

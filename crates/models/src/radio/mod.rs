@@ -1,0 +1,3 @@
+//! Radios, each from its datasheet.
+
+pub mod cc2420;

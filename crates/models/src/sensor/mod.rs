@@ -1,0 +1,4 @@
+//! Sensors: what turns truth into readings.
+
+pub mod compass;
+pub mod position;

@@ -1,0 +1,3 @@
+//! Vehicles: what turns set points into wrenches.
+
+pub mod simple_bee;

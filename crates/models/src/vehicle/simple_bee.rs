@@ -1,0 +1,252 @@
+//! A sphere that flies velocity set points: the vehicle of the paper's experiments.
+//!
+//! Every control period the bee compares the velocity it was asked for with the one it has and
+//! pushes itself by the difference:
+//!
+//! ```text
+//! a = (v_wanted - v) / response_time - F_wind / m,      |a| <= max_acceleration      (1)
+//! F = m a  (+ m g upwards while hovering)                                            (2)
+//! ```
+//! The force holds until the next step. With the defaults (10 Hz, 1 s) a step of the set point is
+//! answered by `v(n) = v_wanted (1 - 0.9^n)` after n steps, as long as (1) stays below its cap.
+//! Turns are instantaneous: the bee has no attitude dynamics.
+//!
+//! Source: the original's `SimpleBee`, whose law this is; masses are kilograms here, and the wind
+//! acts by its velocity relative to the bee and a drag coefficient, which the original forgot.
+
+use glam::DVec3;
+use simbeeotic_model::kernel::{SimTime, Stream};
+use simbeeotic_model::physics::{BodySpec, Contacts, Material, Shape, group};
+use simbeeotic_model::units::{
+    Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, ForceVec, Length, Mass, Position, Rate,
+    Time, V3, Velocity, Yaw, math,
+};
+use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::{
+    BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
+};
+
+use crate::phase::Phase;
+
+/// A sphere that turns at once and follows velocity set points with a lag: cheap enough for a
+/// hundred thousand.
+#[vehicle("simple-bee")]
+pub struct SimpleBee {
+    params: SimpleBeeParams,
+    errors: Stream,
+    /// Since when the current force has been drawing charge.
+    since: SimTime,
+    /// Acceleration asked of the actuators at the last step, m/s².
+    effort_m_s2: f64,
+    hovering: bool,
+}
+
+/// Parameters of [`SimpleBee`].
+#[params]
+pub struct SimpleBeeParams {
+    /// Diameter of the body.
+    pub length: Length,
+    /// Mass of the body.
+    pub mass: Mass,
+    /// The most that the actuators accelerate the body, besides carrying its weight.
+    pub max_acceleration: Acceleration,
+    /// Time between two steps of the control law.
+    pub control_period: Time,
+    /// When the control law first runs: at the start, or at a random time of the first period.
+    pub phase: Phase,
+    /// Time constant of the velocity's answer to a set point.
+    pub response_time: Time,
+    /// Current that hovering draws.
+    pub hover_current: Current,
+    /// Current that the greatest acceleration draws; less draws in proportion.
+    pub actuation_current: Current,
+    /// Standard deviation of each turn's error.
+    pub turn_sigma: Angle,
+    /// Standard deviation of the flown direction's error, about each axis.
+    pub direction_sigma: Angle,
+    /// Standard deviation of the flown speed's error, as a fraction of the speed.
+    pub speed_sigma: f64,
+    /// Whether wind pushes the body.
+    pub use_wind: bool,
+    /// Drag coefficient of the body in the wind; 0.47 is a smooth sphere's at Reynolds numbers of
+    /// 1e4 (Hoerner, Fluid-Dynamic Drag, 1965, ch. 3).
+    pub drag_coefficient: f64,
+    /// What happens at a touch: `none` (it is not noticed), `detect` (the behaviour is told),
+    /// `respond` (and the body bounces).
+    pub contacts: ContactMode,
+    /// Whether bees touch each other too, and not only the ground.
+    pub bee_collisions: bool,
+    /// Fraction of the approach speed that is left after a bounce, 0 to 1.
+    pub restitution: f64,
+    /// Coulomb friction at a touch.
+    pub friction: f64,
+}
+
+impl Default for SimpleBeeParams {
+    fn default() -> Self {
+        Self {
+            length: Length::si(0.1),
+            mass: Mass::si(0.128),
+            max_acceleration: Acceleration::si(1.0),
+            control_period: Time::si(0.1),
+            phase: Phase::Aligned,
+            response_time: Time::si(1.0),
+            hover_current: Current::si(0.5),
+            actuation_current: Current::si(0.25),
+            turn_sigma: Angle::ZERO,
+            direction_sigma: Angle::ZERO,
+            speed_sigma: 0.0,
+            use_wind: false,
+            drag_coefficient: 0.47,
+            contacts: ContactMode::Respond,
+            bee_collisions: false,
+            restitution: 0.0,
+            friction: 0.5,
+        }
+    }
+}
+
+/// What happens when a body touches something.
+#[choice]
+pub enum ContactMode {
+    /// Nothing.
+    None,
+    /// Its behaviour is told.
+    Detect,
+    /// Its behaviour is told and it bounces.
+    Respond,
+}
+
+impl Vehicle for SimpleBee {
+    type Params = SimpleBeeParams;
+
+    fn build(params: SimpleBeeParams, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
+        let p = &params;
+        positive("length", p.length.get())?;
+        positive("mass", p.mass.get())?;
+        positive("max_acceleration", p.max_acceleration.get())?;
+        positive("control_period", p.control_period.get())?;
+        positive("response_time", p.response_time.get())?;
+        at_least_zero("hover_current", p.hover_current.get())?;
+        at_least_zero("actuation_current", p.actuation_current.get())?;
+        at_least_zero("turn_sigma", p.turn_sigma.get())?;
+        at_least_zero("direction_sigma", p.direction_sigma.get())?;
+        at_least_zero("speed_sigma", p.speed_sigma)?;
+        at_least_zero("drag_coefficient", p.drag_coefficient)?;
+        at_least_zero("friction", p.friction)?;
+        in_range("restitution", p.restitution, 0.0..=1.0)?;
+        let errors = kit.stream("actuation");
+        Ok(Self { params, errors, since: SimTime::ZERO, effort_m_s2: 0.0, hovering: false })
+    }
+
+    fn body(&self) -> BodySpec {
+        let p = &self.params;
+        let radius = 0.5 * p.length.get();
+        let mask = if p.bee_collisions { group::ALL } else { group::ALL & !group::BEE };
+        BodySpec {
+            p_enu: DVec3::new(0.0, 0.0, radius),
+            contacts: match p.contacts {
+                ContactMode::None => Contacts::None,
+                ContactMode::Detect => Contacts::Detect,
+                ContactMode::Respond => Contacts::Respond,
+            },
+            material: Material {
+                friction: p.friction,
+                restitution: p.restitution,
+            },
+            group: group::BEE,
+            mask,
+            ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.get())
+        }
+    }
+
+    fn control_period(&self) -> Option<Time> {
+        Some(self.params.control_period)
+    }
+
+    fn control_offset(&mut self) -> Time {
+        self.params.phase.first(self.params.control_period, &mut self.errors)
+    }
+
+    fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
+        self.settle(platform);
+
+        let mass = self.params.mass;
+        let wind = if self.params.use_wind { self.wind_force(platform) } else { ForceVec::ZERO };
+        let wanted = platform.attitude().rotate(self.with_errors(setpoint.velocity));
+        let lag = (wanted - platform.velocity()).si() / self.params.response_time.get();
+        let effort = Accel::<Enu>::from_si(lag - wind.si() / mass.get()).limit(self.params.max_acceleration);
+
+        self.effort_m_s2 = effort.si().length();
+        self.hovering = setpoint.hovering;
+        let weight = if setpoint.hovering { mass.get() * platform.gravity().get() } else { 0.0 };
+        let force = mass.get() * effort.si() + DVec3::new(0.0, 0.0, weight) + wind.si();
+        platform.set_force(ForceVec::from_si(force));
+    }
+
+    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
+        let error = self.params.turn_sigma * self.noise(self.params.turn_sigma.get());
+        let yaw = platform.attitude().yaw().angle() + angle + error;
+        platform.set_attitude(Attitude::from_yaw(Yaw::new(yaw)));
+        platform.set_rate(Rate::ZERO);
+    }
+
+    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
+        let way = (point - platform.position()).si();
+        if way.length_squared() > 0.0 {
+            let level = (way.x * way.x + way.y * way.y).sqrt();
+            // Pitch turns about the left axis: nose up is negative.
+            let pitch = Angle::si(-math::atan2(way.z, level));
+            let yaw = Yaw::new(Angle::si(math::atan2(way.y, way.x)));
+            platform.set_attitude(Attitude::from_rpy(Angle::ZERO, pitch, yaw));
+            platform.set_rate(Rate::ZERO);
+        }
+    }
+
+    fn finish(&mut self, _setpoint: &Setpoint, platform: &mut Platform<'_>) {
+        self.settle(platform);
+    }
+}
+
+impl SimpleBee {
+    /// Books the charge drawn since the last step.
+    fn settle(&mut self, platform: &mut Platform<'_>) {
+        let now = platform.now();
+        let span = Time::from_nanos(now.nanos_since(self.since) as f64);
+        self.since = now;
+        if self.hovering {
+            platform.draw(Consumer::Hover, self.params.hover_current * span);
+        }
+        let share = self.effort_m_s2 / self.params.max_acceleration.get();
+        platform.draw(Consumer::Actuation, self.params.actuation_current * span * share);
+    }
+
+    /// Drag of the air that moves past the body: `½ ρ C_d A |u| u`, u relative to the body.
+    fn wind_force(&self, platform: &Platform<'_>) -> ForceVec<Enu> {
+        let u = (platform.wind() - platform.velocity()).si();
+        let radius = 0.5 * self.params.length.get();
+        let area = std::f64::consts::PI * radius * radius;
+        let density = platform.air_density().get();
+        ForceVec::from_si(u * (0.5 * density * self.params.drag_coefficient * area * u.length()))
+    }
+
+    /// What is really flown when `wanted` is asked for.
+    fn with_errors(&mut self, wanted: Velocity<Flu>) -> Velocity<Flu> {
+        let (direction, speed) = (self.params.direction_sigma.get(), self.params.speed_sigma);
+        let mut flown = wanted;
+        if direction > 0.0 {
+            let turn = DVec3::new(self.errors.normal(), self.errors.normal(), self.errors.normal());
+            let turned = Attitude::exp(V3::from_si(turn * direction)).rotate(flown);
+            flown = Velocity::from_si(turned.si());
+        }
+        if speed > 0.0 {
+            flown = flown * (1.0 + speed * self.errors.normal());
+        }
+        flown
+    }
+
+    /// A normal draw, or nothing (and no draw) when sigma is zero.
+    fn noise(&mut self, sigma: f64) -> f64 {
+        if sigma > 0.0 { self.errors.normal() } else { 0.0 }
+    }
+}

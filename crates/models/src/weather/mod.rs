@@ -1,0 +1,3 @@
+//! Weather: wind over space and time.
+
+pub mod constant;

@@ -1,0 +1,196 @@
+//! What the program can be asked, and the help that teaches it.
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// A simulator and testbed for swarms of micro-aerial vehicles.
+///
+/// One scenario file puts thousands of flying vehicles, with bodies, sensors and radios, into a
+/// 3-D world. The same scenario and the same seed give the same run, to the last bit: the trace
+/// hash at the end says so.
+#[derive(Parser)]
+#[command(name = "simbeeotic", version, after_help = FIRST_STEPS)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+const FIRST_STEPS: &str = "\
+First steps:
+  simbeeotic run scenarios/first-swarm.toml      fly a hundred bees
+  simbeeotic list                                what a scenario can name
+  simbeeotic describe instrument-bee             a part's parameters, with units and defaults
+  simbeeotic new my-swarm                        a crate for a behaviour of your own
+
+Exit codes: 0 all went well, 1 a run failed, 2 the input is wrong.";
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Run a scenario (TOML, or the original's XML)
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunOptions),
+    /// Find every error of a scenario, without running it
+    Check(ScenarioOptions),
+    /// List the parts that a scenario can name
+    List {
+        /// Only parts of this kind: model, vehicle, sensor, radio, antenna, propagation, weather,
+        /// component
+        kind: Option<String>,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Describe a part: what it is, its parameters with units and defaults
+    Describe {
+        /// The part's name, such as instrument-bee
+        name: String,
+        /// As JSON schema
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print the JSON schema of scenario files, for editors
+    Schema,
+    /// Make a crate with a behaviour of your own, a scenario and a test
+    New {
+        /// Name of the crate, such as my-swarm
+        name: String,
+        /// Folder to make [default: the name, in this folder]
+        #[arg(long)]
+        path: Option<PathBuf>,
+        /// Folder of the simbeeotic crate that it depends on [default: the one this program was
+        /// built from]
+        #[arg(long)]
+        library: Option<PathBuf>,
+    },
+    /// Turn one of the original's XML scenarios into TOML
+    Convert(ConvertOptions),
+    /// Write a recording's positions, velocities and attitudes as a table
+    #[command(after_help = EXPORT_COLUMNS)]
+    Export(ExportOptions),
+    /// Measure this machine with the paper's experiments
+    Bench(BenchOptions),
+}
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  simbeeotic run scenarios/figure12.toml
+  simbeeotic run scenarios/figure12.xml --end-time \"10 s\"
+  simbeeotic run scenarios/figure12.toml --seed 7 --threads 2 --json > summary.json
+  simbeeotic run scenarios/figure12.toml --set model.bee.count=100
+  simbeeotic run scenarios/figure12.toml --set model.bee.params.max_speed=\"3 m/s\"
+  simbeeotic run scenarios/figure12.toml --record run.mcap";
+
+const EXPORT_COLUMNS: &str = "\
+Columns: time_ns, time_s, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
+(velocity, ENU), qw, qx, qy, qz (attitude, world_from_body), wx_rad_s, wy_rad_s, wz_rad_s (body
+rates, FLU). One row for each model and tick.";
+
+/// Which scenario, and what is changed in it.
+#[derive(Args, Clone)]
+pub(super) struct ScenarioOptions {
+    /// The scenario file: TOML, or the original's XML
+    pub(super) scenario: PathBuf,
+    /// World file that replaces the scenario's: TOML, or the original's XML
+    #[arg(long, value_name = "FILE")]
+    pub(super) world: Option<PathBuf>,
+    /// Override any value of the scenario; may be given many times
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub(super) sets: Vec<String>,
+    /// Master seed [default: the scenario's]
+    #[arg(long)]
+    pub(super) seed: Option<u64>,
+    /// When the run ends, with a unit: "10 s" [default: the scenario's]
+    #[arg(long, value_name = "TIME")]
+    pub(super) end_time: Option<String>,
+}
+
+#[derive(Args)]
+pub(super) struct RunOptions {
+    #[command(flatten)]
+    pub(super) scenario: ScenarioOptions,
+    /// Threads that run models; the trace is the same for any number [default: one for each core]
+    #[arg(long)]
+    pub(super) threads: Option<usize>,
+    /// Run at most this many times faster than the wall clock [default: as fast as it can]
+    #[arg(long, value_name = "FACTOR")]
+    pub(super) real_time: Option<f64>,
+    /// End the run after this much wall time, with a unit: "10 min"
+    #[arg(long, value_name = "TIME")]
+    pub(super) wall_time: Option<String>,
+    /// Record to this file, whatever the scenario says
+    #[arg(long, value_name = "FILE", conflicts_with = "no_record")]
+    pub(super) record: Option<PathBuf>,
+    /// Do not record, whatever the scenario says
+    #[arg(long)]
+    pub(super) no_record: bool,
+    /// No progress bar, no summary: errors only
+    #[arg(long, short)]
+    pub(super) quiet: bool,
+    /// Print the summary as JSON on standard output
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+#[derive(Args)]
+pub(super) struct ConvertOptions {
+    /// The scenario in XML
+    pub(super) scenario: PathBuf,
+    /// World file in XML, converted too
+    #[arg(long, value_name = "FILE")]
+    pub(super) world: Option<PathBuf>,
+    /// File to write [default: standard output; the world goes beside it]
+    #[arg(long, short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct ExportOptions {
+    /// The recording
+    pub(super) recording: PathBuf,
+    /// Write CSV to this file, or to standard output
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", required_unless_present = "parquet")]
+    pub(super) csv: Option<PathBuf>,
+    /// Write Parquet to this file
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "", conflicts_with = "csv")]
+    pub(super) parquet: Option<PathBuf>,
+    /// Only models whose path matches: bee-*, hive/bee-1
+    #[arg(long, value_name = "PATTERN")]
+    pub(super) model: Option<String>,
+    /// Only every n-th tick
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(super) every: u64,
+    /// Only ticks from this time on: "10 s"
+    #[arg(long, value_name = "TIME")]
+    pub(super) from: Option<String>,
+    /// Only ticks up to this time: "20 s"
+    #[arg(long, value_name = "TIME")]
+    pub(super) to: Option<String>,
+}
+
+#[derive(Args)]
+pub(super) struct BenchOptions {
+    /// Which experiment: fig7 (swarm size)
+    #[arg(value_parser = ["fig7"])]
+    pub(super) experiment: String,
+    /// Swarm sizes
+    #[arg(long, value_delimiter = ',', default_value = "1000,3000,10000,30000")]
+    pub(super) n: Vec<u32>,
+    /// Virtual time of each run; the paper's is "100 s"
+    #[arg(long, default_value = "10 s", value_name = "TIME")]
+    pub(super) duration: String,
+    /// Threads that run models
+    #[arg(long, default_value_t = 1)]
+    pub(super) threads: usize,
+    /// Start: paper (random in a 20 m cube) or density (one bee per 8 cubic metres)
+    #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
+    pub(super) start: String,
+    /// Timers: all bees at once (aligned), or each at its own time (random)
+    #[arg(long, default_value = "aligned", value_parser = ["aligned", "random"])]
+    pub(super) phase: String,
+    /// Bees do not collide
+    #[arg(long)]
+    pub(super) no_contacts: bool,
+    /// Print the rows as JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}

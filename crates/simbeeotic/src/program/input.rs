@@ -1,0 +1,67 @@
+//! From files and arguments to a run: the one place where the program meets the scenario crate.
+
+use super::arguments::ScenarioOptions;
+use super::{Failure, colour, run};
+use simbeeotic_model::config::{Key, Node, Span, Table, Value};
+use simbeeotic_model::{Setup, SetupError};
+use simbeeotic_scenario::{Loaded, Request, load_file, render};
+use simbeeotic_units::Time;
+
+/// Reads and checks a scenario; shows warnings and notes unless `quiet`.
+pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Failure> {
+    let mut sets = options.sets.clone();
+    if let Some(seed) = options.seed {
+        sets.push(format!("run.seed={seed}"));
+    }
+    if let Some(end) = &options.end_time {
+        sets.push(format!("run.end_time={end}"));
+    }
+    let request = Request { world: options.world.clone(), sets };
+    match load_file(&options.scenario, &request) {
+        Ok(loaded) => {
+            if !quiet {
+                run::warn(&render::faults(loaded.faults(), loaded.sources(), colour()));
+            }
+            Ok(loaded)
+        }
+        Err(rejected) => {
+            Err(Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end()))
+        }
+    }
+}
+
+/// The run that a checked scenario describes.
+pub(super) fn setup(loaded: &Loaded) -> Result<Setup, Failure> {
+    loaded.setup().map_err(|faults| {
+        Failure::input(render::faults(&faults, loaded.sources(), colour()).trim_end())
+    })
+}
+
+/// A model that cannot be built, at its place in the scenario.
+pub(super) fn setup_failure(loaded: &Loaded, error: SetupError) -> Failure {
+    match error {
+        SetupError::Model { path, mut fault } => {
+            fault.message = format!("{path}: {}", fault.message);
+            Failure::input(render::faults(&[fault], loaded.sources(), colour()).trim_end())
+        }
+        other => Failure::input(other),
+    }
+}
+
+/// A span of time in an argument.
+pub(super) fn time(option: &str, text: &str) -> Result<Time, Failure> {
+    match text.parse::<Time>() {
+        Ok(time) if time > Time::ZERO => Ok(time),
+        Ok(time) => Err(Failure::input(format!("{option} {time}: it must be more than zero"))),
+        Err(e) => Err(Failure::input(format!("{option}: {e}"))),
+    }
+}
+
+/// A section with text entries, as if it stood in a file.
+pub(super) fn table<const N: usize>(entries: [(&str, String); N]) -> Node {
+    let mut table = Table::default();
+    for (key, text) in entries {
+        table.insert(Key { text: key.to_owned(), span: Span::default() }, Node::string(Span::default(), text));
+    }
+    Node::new(Span::default(), Value::Table(table))
+}

@@ -1,0 +1,150 @@
+//! `list`, `describe`, `schema`: what a scenario can name.
+
+use super::{Failure, say};
+use serde_json::{Value, json};
+use simbeeotic_model::config::Fault;
+use simbeeotic_model::registry::{self, Kind, Part};
+use std::fmt::Write as _;
+
+/// Lists parts, of one kind or of all.
+pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
+    let kinds: Vec<Kind> = match kind {
+        None => Kind::ALL.to_vec(),
+        Some(word) => vec![kind_called(word)?],
+    };
+    let parts: Vec<&Part> = kinds.iter().flat_map(|k| registry::of_kind(*k)).collect();
+    if json {
+        let rows: Vec<Value> = parts
+            .iter()
+            .map(|p| {
+                json!({
+                    "kind": p.kind.name(), "name": p.label.name, "module": p.label.module,
+                    "summary": p.summary(), "java": p.label.java,
+                })
+            })
+            .collect();
+        say(format!("{:#}", Value::Array(rows)));
+        return Ok(());
+    }
+    let mut page = String::new();
+    for kind in kinds {
+        let mut of_kind = registry::of_kind(kind).peekable();
+        if of_kind.peek().is_none() {
+            continue;
+        }
+        let _ = writeln!(page, "{}", kind.name());
+        for part in of_kind {
+            let summary = part.summary().replace('\n', " ");
+            let _ = writeln!(page, "  {:<18} {}", part.label.name, first_sentence(&summary));
+        }
+        page.push('\n');
+    }
+    page.push_str("`simbeeotic describe NAME` shows a part's parameters.");
+    say(page);
+    Ok(())
+}
+
+fn kind_called(word: &str) -> Result<Kind, Failure> {
+    let word = word.strip_suffix('s').unwrap_or(word);
+    Kind::ALL.into_iter().find(|k| k.name() == word).ok_or_else(|| {
+        let fault = Fault::unknown(None, "kind of part", word, Kind::ALL.map(Kind::name));
+        Failure::input(format!("{}; {}", fault, fault.help.as_deref().unwrap_or("")))
+    })
+}
+
+fn first_sentence(text: &str) -> &str {
+    text.find(". ").map_or(text.trim_end_matches('.'), |end| &text[..end])
+}
+
+/// Describes the parts called `name`.
+pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
+    let found: Vec<&Part> = registry::parts()
+        .iter()
+        .copied()
+        .filter(|p| p.label.name == name || p.label.java.contains(&name))
+        .collect();
+    if found.is_empty() {
+        let fault = Fault::unknown(None, "part", name, registry::parts().iter().map(|p| p.label.name));
+        let help = fault.help.as_deref().unwrap_or("");
+        return Err(Failure::input(format!("{fault}; {help}")));
+    }
+    for part in found {
+        if json {
+            say(format!("{:#}", (part.schema)().to_value()));
+        } else {
+            say(page(part));
+        }
+    }
+    Ok(())
+}
+
+fn page(part: &Part) -> String {
+    let mut page = format!("{} ({}, in {})\n\n", part.label.name, part.kind.name(), part.label.module);
+    for line in part.label.docs.lines() {
+        let _ = writeln!(page, "  {line}");
+    }
+    let schema = (part.schema)().to_value();
+    let defaults = (part.defaults)();
+    let empty = serde_json::Map::new();
+    let fields = schema["properties"].as_object().unwrap_or(&empty);
+    if fields.is_empty() {
+        page.push_str("\nIt has no parameters.\n");
+    } else {
+        page.push_str("\nParameters:\n");
+    }
+    for (name, field) in fields {
+        let default = defaults.as_table().and_then(|t| t.get(name));
+        let value = default.map(simbeeotic_scenario::print::value).unwrap_or_default();
+        let _ = writeln!(page, "\n  {name} = {value}");
+        let field = resolve(&schema, field);
+        let text = field["description"].as_str().unwrap_or("");
+        for line in text.lines() {
+            let _ = writeln!(page, "      {line}");
+        }
+        if let Some(units) = units(field).filter(|u| !u.is_empty()) {
+            let _ = writeln!(page, "      unit: {units}");
+        }
+        let choices = choices(field);
+        if !choices.is_empty() {
+            let _ = writeln!(page, "      one of: {}", choices.join(", "));
+        }
+    }
+    if !part.label.java.is_empty() {
+        let _ = writeln!(page, "\nIn the original: {}", part.label.java.join(", "));
+    }
+    page
+}
+
+/// A field that refers to a definition, with the definition's keys below its own.
+fn resolve<'a>(schema: &'a Value, field: &'a Value) -> &'a Value {
+    let by_reference = |v: &Value| -> Option<&'a Value> {
+        let name = v["$ref"].as_str()?.rsplit('/').next()?.to_owned();
+        schema["$defs"].get(&name)
+    };
+    // The description stands beside the reference; choices and units stand behind it.
+    if field["description"].is_string() && field.get("$ref").is_none() {
+        field
+    } else {
+        by_reference(field).unwrap_or(field)
+    }
+}
+
+fn units(field: &Value) -> Option<String> {
+    let units = field["x-units"].as_array().or_else(|| field["items"]["x-units"].as_array())?;
+    Some(units.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(", "))
+}
+
+fn choices(field: &Value) -> Vec<&str> {
+    if let Some(words) = field["enum"].as_array() {
+        return words.iter().filter_map(Value::as_str).collect();
+    }
+    let one_of = field["oneOf"].as_array().map(Vec::as_slice).unwrap_or_default();
+    one_of.iter().filter_map(|v| v["const"].as_str()).collect()
+}
+
+/// Prints the JSON schema of scenario files.
+pub(super) fn schema() -> Result<(), Failure> {
+    say(format!("{:#}", simbeeotic_scenario::schema::schema()));
+    Ok(())
+}
+

@@ -1,0 +1,135 @@
+//! How a run looks in a terminal: the progress bar and the summary.
+
+use indicatif::{HumanBytes, HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use simbeeotic_kernel::{Progress, SimTime};
+use simbeeotic_model::Summary;
+use std::fmt::Write as _;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// A bar on standard error that follows a run from a thread of its own.
+pub(super) struct Bar {
+    done: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Bar {
+    /// Follows `progress` until it is dropped. Draws nothing if standard error is no terminal.
+    #[allow(clippy::disallowed_methods, reason = "shows wall-clock speed to the user")]
+    pub(super) fn start(progress: Arc<Progress>, end: SimTime) -> Self {
+        let done = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&done);
+        let thread = std::thread::spawn(move || {
+            let bar = ProgressBar::with_draw_target(Some(end.nanos()), ProgressDrawTarget::stderr_with_hz(10));
+            let template = "{bar:32} {percent:>3}%  {msg}";
+            if let Ok(style) = ProgressStyle::with_template(template) {
+                bar.set_style(style.progress_chars("=> "));
+            }
+            let start = Instant::now();
+            let mut last = (start, progress.events());
+            while !flag.load(Ordering::Relaxed) {
+                std::thread::sleep(Duration::from_millis(100));
+                let (now, virtual_s) = (Instant::now(), progress.now().as_secs_f64());
+                let wall_s = (now - start).as_secs_f64();
+                let speed = virtual_s / wall_s.max(1e-9);
+                let events = progress.events();
+                let rate = (events - last.1) as f64 / (now - last.0).as_secs_f64().max(1e-9);
+                last = (now, events);
+                let left_s = (end.as_secs_f64() - virtual_s) / speed.max(1e-9);
+                bar.set_position(progress.now().nanos().min(end.nanos()));
+                bar.set_message(format!(
+                    "{virtual_s:.1} s of {:.1} s   {speed:.2} x real time   {} events/s   {} left",
+                    end.as_secs_f64(),
+                    HumanCount(rate as u64),
+                    span(left_s),
+                ));
+            }
+            bar.finish_and_clear();
+        });
+        Self { done, thread: Some(thread) }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.done.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Seconds as people say them.
+fn span(seconds: f64) -> String {
+    match seconds {
+        s if !s.is_finite() || s > 359_999.0 => "?".to_owned(),
+        s if s < 60.0 => format!("{s:.0} s"),
+        s if s < 3600.0 => format!("{:.0} min {:02.0} s", (s / 60.0).floor(), s % 60.0),
+        s => format!("{:.0} h {:02.0} min", (s / 3600.0).floor(), (s % 3600.0) / 60.0),
+    }
+}
+
+/// The summary of a run, as a page of text.
+pub(super) fn summary(summary: &Summary) -> String {
+    let mut page = String::new();
+    let mut line = |key: &str, value: String| {
+        let _ = writeln!(page, "  {key:<10} {value}");
+    };
+    let s = summary;
+    let threads = if s.threads == 1 { "1 thread".to_owned() } else { format!("{} threads", s.threads) };
+    line("scenario", format!("{}, seed {}", s.scenario, s.seed));
+    line(
+        "models",
+        format!("{}, {} bodies, {} radios", HumanCount(s.models as u64), HumanCount(s.bodies as u64), HumanCount(s.radios as u64)),
+    );
+    line(
+        "time",
+        format!("{:.3} s virtual in {:.2} s: {:.2} x real time, {threads} ({})", s.virtual_s, s.wall_s, s.speed, s.ended),
+    );
+    let t = &s.time;
+    line(
+        "spent on",
+        format!(
+            "init {:.2} s, events {:.2} s, physics {:.2} s, radio {:.2} s, other {:.2} s",
+            t.init_s, t.events_s, t.physics_s, t.radio_s, t.other_s
+        ),
+    );
+    line("events", format!("{} in {} instants", HumanCount(s.events), HumanCount(s.instants)));
+    line("touches", HumanCount(s.touches).to_string());
+    if s.radios > 0 {
+        let lost: Vec<_> =
+            s.packets.lost.iter().map(|(why, n)| format!("{} {why}", HumanCount(*n))).collect();
+        let lost = if lost.is_empty() { String::new() } else { format!("; lost: {}", lost.join(", ")) };
+        let text = format!(
+            "{} sent, {} received{lost}",
+            HumanCount(s.packets.sent),
+            HumanCount(s.packets.received)
+        );
+        line("packets", text);
+    }
+    let total: f64 = s.charge.iter().map(|c| c.milliampere_seconds).sum();
+    let shares: Vec<_> = s
+        .charge
+        .iter()
+        .filter(|c| c.milliampere_seconds > 0.0)
+        .map(|c| format!("{} {:.1}", c.consumer, c.milliampere_seconds / 3600.0))
+        .collect();
+    if !shares.is_empty() {
+        line("charge", format!("{:.1} mAh: {}", total / 3600.0, shares.join(", ")));
+    }
+    if let Some(late) = &s.lateness {
+        line("late", format!("{} instants, at most {:.1} ms", HumanCount(late.late), late.max_ms));
+    }
+    for note in &s.notes {
+        line(&note.key, note.text.clone());
+    }
+    line("trace", s.trace_hash.clone());
+    page
+}
+
+/// Bytes as people say them.
+pub(super) fn bytes(bytes: u64) -> String {
+    HumanBytes(bytes).to_string()
+}
