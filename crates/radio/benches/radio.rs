@@ -1,0 +1,116 @@
+//! What a round of the simple medium costs, per pair of sender and receiver.
+//!
+//! `dense`: everybody in a ball of 20 m sends at once, as in the paper's broadcast experiment (range
+//! 30 m, so 88 % of the pairs are in range), and everybody collects. `listen`: the same, and each
+//! packet is looked at. `by-frame`: one sender at a time, the rest receives.
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use simbeeotic_kernel::rng::{Stream, path_key};
+use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_radio::{
+    Medium, Poses, RadioId, RadioSpec, Request, Scratch, SimpleConfig, SimpleMedium, cc2420,
+};
+use simbeeotic_units::{Attitude, Length, Pose, Position};
+use std::hint::black_box;
+use std::sync::Arc;
+
+struct Ball(Vec<Position>);
+
+impl Poses for Ball {
+    fn pose(&self, owner: ModelId) -> Pose {
+        Pose::new(self.0[owner.index()], Attitude::IDENTITY)
+    }
+
+    fn position(&self, owner: ModelId) -> Position {
+        self.0[owner.index()]
+    }
+}
+
+fn ball(n: usize) -> (SimpleMedium, Ball) {
+    let mut stream = Stream::new(1, "bench", "ball");
+    let poses = Ball((0..n).map(|_| Position::from_si(stream.in_ball(20.0).into())).collect());
+    let config = SimpleConfig { range_limit: Length::from_metres(30.0), ..SimpleConfig::default() };
+    let mut medium = SimpleMedium::new(config).expect("the settings make sense");
+    for bee in 0..n {
+        let spec = cc2420::spec(11, 31).expect("channel and level exist");
+        let key = path_key(&format!("bee-{bee}/radio"));
+        medium.add(RadioSpec { owner: ModelId(bee as u32), key, ..spec }).expect("keys differ");
+    }
+    (medium, poses)
+}
+
+fn dense(c: &mut Criterion) {
+    let payload: Arc<[u8]> = Arc::from([1, 2, 3, 4]);
+    for n in [550, 2000, 8192] {
+        let (mut medium, poses) = ball(n);
+        let (mut owners, mut scratch) = (Vec::new(), Scratch::new());
+        let mut now = SimTime::ZERO;
+        let mut group = c.benchmark_group("dense");
+        group.sample_size(10).throughput(Throughput::Elements((n * (n - 1)) as u64));
+
+        let mut round = |medium: &mut SimpleMedium| {
+            now = now.saturating_add_nanos(1_000_000_000);
+            for radio in 0..n {
+                let radio = RadioId(radio as u32);
+                medium.submit(now, Request::broadcast(radio, Arc::clone(&payload)));
+            }
+            medium.open(now, &poses, &mut owners);
+            owners.len()
+        };
+        group.bench_function(BenchmarkId::new("open", n), |b| b.iter(|| round(&mut medium)));
+        group.bench_function(BenchmarkId::new("open-collect", n), |b| {
+            b.iter(|| {
+                round(&mut medium);
+                let received = (0..n as u32).map(|r| medium.collect(RadioId(r), &mut scratch).len());
+                received.sum::<usize>()
+            });
+        });
+        group.bench_function(BenchmarkId::new("open-collect-digest", n), |b| {
+            b.iter(|| {
+                round(&mut medium);
+                (0..n as u32).fold(0, |hash, r| {
+                    hash ^ medium.collect(RadioId(r), &mut scratch).digest()
+                })
+            });
+        });
+        group.bench_function(BenchmarkId::new("open-collect-listen", n), |b| {
+            b.iter(|| {
+                round(&mut medium);
+                let mut bytes = 0;
+                for radio in 0..n as u32 {
+                    for packet in medium.collect(RadioId(radio), &mut scratch) {
+                        bytes += black_box(packet).payload().len();
+                    }
+                }
+                bytes
+            });
+        });
+        group.finish();
+    }
+}
+
+fn by_frame(c: &mut Criterion) {
+    let payload: Arc<[u8]> = Arc::from([1, 2, 3, 4]);
+    let mut group = c.benchmark_group("by-frame");
+    for n in [550, 2000, 8192] {
+        let (mut medium, poses) = ball(n);
+        let (mut owners, mut scratch) = (Vec::new(), Scratch::new());
+        let mut now = SimTime::ZERO;
+        let mut sender = 0;
+        group.throughput(Throughput::Elements(n as u64 - 1));
+        group.bench_function(BenchmarkId::new("open-collect", n), |b| {
+            b.iter(|| {
+                now = now.saturating_add_nanos(1_000_000);
+                sender = (sender + 1) % n as u32;
+                medium.submit(now, Request::broadcast(RadioId(sender), Arc::clone(&payload)));
+                medium.open(now, &poses, &mut owners);
+                let heard = owners.iter().map(|o| medium.collect(RadioId(o.0), &mut scratch).len());
+                heard.sum::<usize>()
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, dense, by_frame);
+criterion_main!(benches);
