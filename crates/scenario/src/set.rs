@@ -1,0 +1,299 @@
+//! `--set path=value`: one value of a scenario, changed from the command line.
+//!
+//! ```text
+//! --set run.end_time="5 s"                        quotes around text may be left out
+//! --set channel.range_limit=30m
+//! --set model.bee.params.heading_sigma="0.1 rad"  models by their name, or by their place from 0
+//! --set model.bee.sensor.compass.sigma="1 deg"
+//! --set component.viewer.port=8080                components by what they use
+//! ```
+//! Each argument is a text of its own, so that a fault in it shows the argument, whether it is
+//! found here or when the part reads its parameters.
+
+use simbeeotic_model::config::{Fault, Key, Node, SourceId, Sources, Span, Value};
+
+/// What errors call the place that arguments come from.
+const NAME: &str = "command line";
+/// What stands before the argument in the text that errors show.
+const FLAG: &str = "--set ";
+
+/// Changes the tree of a scenario as one argument, `path=value`, says.
+///
+/// # Errors
+/// The argument is not of this form, or its path leads nowhere.
+pub fn apply(root: &mut Node, argument: &str, sources: &mut Sources) -> Result<(), Vec<Fault>> {
+    let source = sources.add(NAME, format!("{FLAG}{argument}"));
+    let whole = Span::new(source, FLAG.len(), FLAG.len() + argument.len());
+    let Some(equals) = equals_sign(argument) else {
+        let fault = Fault::error(whole, "there is no `=` between a path and a value");
+        return Err(vec![fault.help("for example: --set run.end_time=\"5 s\"")]);
+    };
+    let (path, text) = (&argument[..equals], &argument[equals + 1..]);
+    let keys = split(path, source)?;
+    let value_start = FLAG.len() + equals + 1;
+    let value = value(text, source, value_start)?;
+    place(root, &keys, value).map_err(|fault| vec![fault])
+}
+
+/// The first `=` that is not inside of quotes.
+fn equals_sign(argument: &str) -> Option<usize> {
+    let mut quote = None;
+    for (at, letter) in argument.char_indices() {
+        match (letter, quote) {
+            ('"' | '\'', None) => quote = Some(letter),
+            (letter, Some(open)) if letter == open => quote = None,
+            ('=', None) => return Some(at),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// The keys of a path: words with dots between them, in quotes if they have dots themselves.
+fn split(path: &str, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
+    let mut keys = Vec::new();
+    let mut from = 0;
+    let mut quote = None;
+    let ends = path.char_indices().chain([(path.len(), '.')]);
+    for (at, letter) in ends {
+        match (letter, quote) {
+            ('"' | '\'', None) => quote = Some(letter),
+            (letter, Some(open)) if letter == open => quote = None,
+            ('.', None) => {
+                keys.push(key(&path[from..at], from, source)?);
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    match quote {
+        None => Ok(keys),
+        Some(_) => {
+            let span = Span::new(source, FLAG.len(), FLAG.len() + path.len());
+            Err(vec![Fault::error(
+                span,
+                "a quote in this path is never closed",
+            )])
+        }
+    }
+}
+
+fn key(word: &str, from: usize, source: SourceId) -> Result<Key, Vec<Fault>> {
+    let span = Span::new(source, FLAG.len() + from, FLAG.len() + from + word.len());
+    let bare = word.trim();
+    let inner = ['"', '\'']
+        .iter()
+        .find_map(|q| bare.strip_prefix(*q)?.strip_suffix(*q));
+    let text = inner.unwrap_or(bare);
+    if text.is_empty() {
+        return Err(vec![Fault::error(span, "a part of this path is empty")]);
+    }
+    Ok(Key {
+        text: text.to_owned(),
+        span,
+    })
+}
+
+/// A value as in TOML; what is none there is text: `5 s` is `"5 s"`.
+fn value(text: &str, source: SourceId, start: usize) -> Result<Node, Vec<Fault>> {
+    let bare = text.trim();
+    let lead = text.len() - text.trim_start().len();
+    let span = Span::new(source, start + lead, start + lead + bare.len());
+    if bare.is_empty() {
+        return Err(vec![Fault::error(span, "there is no value behind the `=`")]);
+    }
+    match crate::toml::parse_value(bare, source) {
+        Ok(mut node) => {
+            shift(&mut node, start + lead);
+            Ok(node)
+        }
+        // What starts like a list, a table or text in quotes was meant to be one.
+        Err(mut faults) if bare.starts_with(['[', '{', '"', '\'']) => {
+            for span in faults.iter_mut().filter_map(|f| f.span.as_mut()) {
+                *span = Span::new(source, span.start + start + lead, span.end + start + lead);
+            }
+            Err(faults)
+        }
+        Err(_) => Ok(Node::string(span, bare)),
+    }
+}
+
+fn shift(node: &mut Node, by: usize) {
+    let moved = |span: Span| Span::new(span.source, span.start + by, span.end + by);
+    node.span = moved(node.span);
+    match &mut node.value {
+        Value::Table(table) => {
+            for (key, node) in &mut table.entries {
+                key.span = moved(key.span);
+                shift(node, by);
+            }
+        }
+        Value::Array(items) => items.iter_mut().for_each(|n| shift(n, by)),
+        _ => {}
+    }
+}
+
+/// Puts the value at the path, making tables that are not there.
+fn place(node: &mut Node, keys: &[Key], value: Node) -> Result<(), Fault> {
+    let Some((key, rest)) = keys.split_first() else {
+        *node = value;
+        return Ok(());
+    };
+    match &mut node.value {
+        Value::Table(table) => {
+            if rest.is_empty() {
+                table.insert(key.clone(), value);
+                return Ok(());
+            }
+            if table.get(&key.text).is_none() {
+                table.insert(key.clone(), Node::table(value.span));
+            }
+            match table.get_mut(&key.text) {
+                Some(inner) => place(inner, rest, value),
+                None => Ok(()),
+            }
+        }
+        Value::Array(items) => {
+            let at = element(items, key)?;
+            place(&mut items[at], rest, value)
+        }
+        other => {
+            let message = format!(
+                "`{}` leads into {}, not into a table",
+                key.text,
+                other.kind()
+            );
+            Err(Fault::error(key.span, message))
+        }
+    }
+}
+
+/// Which element of a list a key means: its name, what it uses, or its place.
+fn element(items: &[Node], key: &Key) -> Result<usize, Fault> {
+    let word = |node: &Node, by: &str| {
+        node.as_table()
+            .and_then(|t| t.get(by))
+            .and_then(Node::as_str)
+            .map(str::to_owned)
+    };
+    let name = |node: &Node| word(node, "name").or_else(|| word(node, "use"));
+    let named: Vec<usize> = (0..items.len())
+        .filter(|at| name(&items[*at]).as_deref() == Some(&key.text))
+        .collect();
+    match named.as_slice() {
+        [one] => return Ok(*one),
+        [] => {}
+        several => {
+            let message = format!("`{}` means {} entries", key.text, several.len());
+            let places: Vec<String> = several.iter().map(ToString::to_string).collect();
+            let help = format!("say which by its place: {}", places.join(", "));
+            return Err(Fault::error(key.span, message).help(help));
+        }
+    }
+    if let Ok(at) = key.text.parse::<usize>() {
+        if at < items.len() {
+            return Ok(at);
+        }
+        let message = format!("there is no entry {at}: the list has {}", items.len());
+        return Err(Fault::error(key.span, message));
+    }
+    let names: Vec<String> = items.iter().filter_map(name).collect();
+    Err(Fault::unknown(
+        key.span,
+        "entry",
+        &key.text,
+        names.iter().map(String::as_str),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::print::to_toml;
+    use crate::render::{Style, render};
+
+    const SCENARIO: &str = r#"
+        [run]
+        seed = 1
+        [[model]]
+        use = "simple-hive"
+        [[model]]
+        use = "instrument-bee"
+        name = "bee"
+        [[component]]
+        use = "viewer"
+    "#;
+
+    fn set(argument: &str) -> Result<String, String> {
+        let mut sources = Sources::new();
+        let id = sources.add("x.toml", SCENARIO);
+        let mut root = crate::toml::parse(SCENARIO, id).expect("valid");
+        match apply(&mut root, argument, &mut sources) {
+            Ok(()) => Ok(to_toml(&root)),
+            Err(faults) => Err(render(&faults, &sources, Style::Plain)),
+        }
+    }
+
+    #[test]
+    fn values_are_set_at_their_path() {
+        for (argument, line) in [
+            ("run.seed=7", "seed = 7"),
+            ("run.end_time=5 s", "end_time = \"5 s\""),
+            ("run.end_time=\"5 s\"", "end_time = \"5 s\""),
+            (
+                "channel.noise_floor.sigma = 3 dB",
+                "noise_floor = { sigma = \"3 dB\" }",
+            ),
+            (
+                "model.bee.params.heading_sigma=0.1 rad",
+                "heading_sigma = \"0.1 rad\"",
+            ),
+            ("model.simple-hive.params.size=2 m", "size = \"2 m\""),
+            (
+                "model.0.start=[\"1 m\", \"2 m\", \"0 m\"]",
+                "start = [\"1 m\", \"2 m\", \"0 m\"]",
+            ),
+            ("model.bee.sensor.\"a.b\".use=compass", "use = \"compass\""),
+            ("component.viewer.port=80", "port = 80"),
+            ("model.bee.params.use_radio=false", "use_radio = false"),
+        ] {
+            let text = set(argument).unwrap_or_else(|e| panic!("{argument}: {e}"));
+            assert!(text.contains(line), "{argument}:\n{text}");
+        }
+    }
+
+    #[test]
+    fn a_fault_shows_the_argument() {
+        insta::assert_snapshot!(set("model.bea.params.x=1").expect_err("no such model"), @r"
+        error: unknown entry `bea`
+         --> command line:1:13
+          |
+        1 | --set model.bea.params.x=1
+          |             ^^^
+          |
+          = help: did you mean `bee`?
+        ");
+    }
+
+    #[test]
+    fn nonsense_is_an_error() {
+        for argument in [
+            "",
+            "=",
+            "run.seed",
+            "run.seed=",
+            "=1",
+            "run..seed=1",
+            "run.seed.x=1",
+            "model.9.use=a",
+            "model.x.use=a",
+            "run.\"seed=1",
+            "run.x=[1, 2",
+            "run.x={",
+            "run.x=\"a",
+            "model.-1.use=a",
+        ] {
+            assert!(set(argument).is_err(), "{argument}");
+        }
+    }
+}
