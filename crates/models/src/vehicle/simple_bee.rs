@@ -9,7 +9,8 @@
 //! ```
 //! The force holds until the next step. With the defaults (10 Hz, 1 s) a step of the set point is
 //! answered by `v(n) = v_wanted (1 - 0.9^n)` after n steps, as long as (1) stays below its cap.
-//! Turns are instantaneous: the bee has no attitude dynamics.
+//! Turns are instantaneous: the bee has no attitude dynamics. A bee that neither hovers nor is asked
+//! for a velocity lets itself fall.
 //!
 //! Source: the original's `SimpleBee`, whose law this is; masses are kilograms here, and the wind
 //! acts by its velocity relative to the bee and a drag coefficient, which the original forgot.
@@ -173,9 +174,14 @@ impl Vehicle for SimpleBee {
 
         let mass = self.params.mass;
         let wind = if self.params.use_wind { self.wind_force(platform) } else { ForceVec::ZERO };
-        let wanted = platform.attitude().rotate(self.with_errors(setpoint.velocity));
-        let lag = (wanted - platform.velocity()).si() / self.params.response_time.get();
-        let effort = Accel::<Enu>::from_si(lag - wind.si() / mass.get()).limit(self.params.max_acceleration);
+        let effort = if !setpoint.hovering && setpoint.velocity == Velocity::ZERO {
+            Accel::ZERO // it lets itself fall
+        } else {
+            let wanted = platform.attitude().rotate(self.with_errors(setpoint.velocity));
+            let lag = (wanted - platform.velocity()).si() / self.params.response_time.get();
+            let wind = wind.si() / mass.get();
+            Accel::<Enu>::from_si(lag - wind).limit(self.params.max_acceleration)
+        };
 
         self.effort_m_s2 = effort.si().length();
         self.hovering = setpoint.hovering;

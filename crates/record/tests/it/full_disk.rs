@@ -1,4 +1,5 @@
 #![cfg(target_os = "linux")]
+#![expect(clippy::print_stdout, reason = "the child speaks to its parent")]
 
 use crate::{child, swarm};
 use simbeeotic_record::{Header, RecordError, Recorder, Recording};

@@ -65,3 +65,8 @@ pub(super) fn table<const N: usize>(entries: [(&str, String); N]) -> Node {
     }
     Node::new(Span::default(), Value::Table(table))
 }
+
+/// A point of time in an argument: zero is allowed.
+pub(super) fn span(option: &str, text: &str) -> Result<Time, Failure> {
+    text.parse::<Time>().map_err(|e| Failure::input(format!("{option}: {e}")))
+}

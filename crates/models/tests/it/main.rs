@@ -1,0 +1,4 @@
+//! The shelf in flight: what the parts do in a run, against closed forms and the paper's numbers.
+
+mod flight;
+mod swarm;

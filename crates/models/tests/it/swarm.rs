@@ -1,0 +1,111 @@
+//! Runs put together by hand, for the tests beside this file.
+
+use simbeeotic_model::config::{Node, Span, Table, Value};
+use simbeeotic_model::instance::{RadioPlan, SensorPlan};
+use simbeeotic_model::kernel::{Limits, SimTime};
+use simbeeotic_model::radio::{Isotropic, Medium, SimpleConfig, SimpleMedium};
+use simbeeotic_model::registry::{self, Kind, Make};
+use simbeeotic_model::units::{Attitude, Mount, Pose, Position};
+use simbeeotic_model::world::{Weather, World};
+use simbeeotic_model::{ModelPlan, Origin, Setup, Simulation};
+// Brings the parts onto the shelf.
+use simbeeotic_models as _;
+use std::sync::Arc;
+
+/// A section of a scenario.
+pub(crate) fn section(entries: &[(&str, &str)]) -> Node {
+    let mut table = Table::default();
+    for (key, text) in entries {
+        let value = match *text {
+            "true" => Value::Bool(true),
+            "false" => Value::Bool(false),
+            number if number.parse::<f64>().is_ok() => match number.parse::<i64>() {
+                Ok(whole) => Value::Integer(whole),
+                Err(_) => Value::Float(number.parse().expect("a number")),
+            },
+            text => Value::String(text.to_owned()),
+        };
+        table.set(key, Node::new(Span::default(), value));
+    }
+    Node::new(Span::default(), Value::Table(table))
+}
+
+/// A bee that flies `behavior` with these parameters, starting at a place.
+pub(crate) fn bee(name: &str, behavior: &str, params: &[(&str, &str)], at: [f64; 3]) -> ModelPlan {
+    vehicle(name, behavior, params, &[], at)
+}
+
+/// The same with parameters for its vehicle.
+pub(crate) fn vehicle(
+    name: &str,
+    behavior: &str,
+    params: &[(&str, &str)],
+    vehicle: &[(&str, &str)],
+    at: [f64; 3],
+) -> ModelPlan {
+    let part = registry::find(Kind::Model, behavior).expect("a behaviour of the shelf");
+    let Make::Model(make) = part.make else { unreachable!("its kind is model") };
+    let factory = make(&section(params)).expect("good parameters");
+    let body = registry::find(Kind::Vehicle, "simple-bee").expect("the vehicle of the shelf");
+    let Make::Vehicle(make) = body.make else { unreachable!("its kind is vehicle") };
+    let vehicle = factory.flies().then(|| make(&section(vehicle)).expect("good parameters"));
+    ModelPlan {
+        path: name.to_owned(),
+        kind: part.label.name,
+        factory,
+        vehicle,
+        gear: Arc::default(),
+        start: Pose::new(Position::from_xyz(at[0], at[1], at[2]), Attitude::IDENTITY),
+        parent: None,
+    }
+}
+
+/// Puts a sensor of the shelf on board.
+pub(crate) fn with_sensor(mut plan: ModelPlan, name: &str, kind: &str) -> ModelPlan {
+    let part = registry::find(Kind::Sensor, kind).expect("a sensor of the shelf");
+    let Make::Sensor(make) = part.make else { unreachable!("its kind is sensor") };
+    let factory = make(&section(&[])).expect("good parameters");
+    let sensor = SensorPlan { name: name.to_owned(), factory, mount: Mount::IDENTITY };
+    Arc::make_mut(&mut plan.gear).sensors.push(sensor);
+    plan
+}
+
+/// Puts a CC2420 on board.
+pub(crate) fn with_radio(mut plan: ModelPlan) -> ModelPlan {
+    let part = registry::find(Kind::Radio, "cc2420").expect("the radio of the shelf");
+    let Make::Radio(make) = part.make else { unreachable!("its kind is radio") };
+    let spec = make(&section(&[])).expect("good parameters");
+    let antenna = Arc::new(Isotropic::default());
+    let radio = RadioPlan { name: "radio".to_owned(), spec, antenna, mount: Mount::IDENTITY };
+    Arc::make_mut(&mut plan.gear).radios.push(radio);
+    plan
+}
+
+/// A run of these models.
+pub(crate) fn run(models: Vec<ModelPlan>, seconds: u64) -> Simulation {
+    run_in(models, seconds, Arc::new(simbeeotic_model::world::Calm), 1)
+}
+
+/// A run of these models in some weather, on some threads.
+pub(crate) fn run_in(
+    models: Vec<ModelPlan>,
+    seconds: u64,
+    weather: Arc<dyn Weather>,
+    threads: usize,
+) -> Simulation {
+    let medium = SimpleMedium::new(SimpleConfig::default()).expect("good numbers");
+    let setup = Setup {
+        origin: Origin { seed: 7, ..Origin::default() },
+        limits: Limits { end: SimTime::from_secs(seconds), ..Limits::default() },
+        threads,
+        pace: None,
+        physics: Default::default(),
+        medium: Some(Box::new(medium) as Box<dyn Medium>),
+        weather,
+        world: Arc::new(World::default()),
+        models,
+        components: Vec::new(),
+    };
+    Simulation::new(setup).expect("it can be put together")
+}
+

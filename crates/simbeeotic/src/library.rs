@@ -1,0 +1,79 @@
+//! A run in one call, for tests and small programs.
+
+use simbeeotic_model::{Setup, Simulation, SimulationError, Summary};
+use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
+use simbeeotic_units::{Pose, Twist};
+use std::ops::Deref;
+use std::path::Path;
+
+/// Why a run did not come to its end.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The scenario is wrong; the text shows every fault at its line.
+    #[error("{0}")]
+    Scenario(String),
+    /// The run failed.
+    #[error(transparent)]
+    Run(#[from] SimulationError),
+}
+
+/// A run that came to its end: its summary, and where everybody is.
+pub struct Run {
+    simulation: Simulation,
+    summary: Summary,
+}
+
+impl Run {
+    /// The pose of the body of the model at `path`, at the end.
+    pub fn pose(&self, path: &str) -> Option<Pose> {
+        self.simulation.pose(path)
+    }
+
+    /// The twist of the body of the model at `path`, at the end.
+    pub fn twist(&self, path: &str) -> Option<Twist> {
+        self.simulation.twist(path)
+    }
+
+    /// Everything else about the run.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+}
+
+/// The summary's fields.
+impl Deref for Run {
+    type Target = Summary;
+    fn deref(&self) -> &Summary {
+        &self.summary
+    }
+}
+
+/// Runs a scenario file (TOML, or the original's XML) to its end, with the components it names.
+///
+/// # Errors
+/// Faults of the file; errors of the run.
+pub fn run_file(path: impl AsRef<Path>) -> Result<Run, Error> {
+    run(load_file(path.as_ref(), &Request::default()))
+}
+
+/// Runs the text of a scenario (TOML) to its end.
+///
+/// # Errors
+/// Faults of the text; errors of the run.
+pub fn run_text(text: &str) -> Result<Run, Error> {
+    run(load_text("scenario", text, &Request::default()))
+}
+
+fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
+    let loaded = loaded.map_err(|r| Error::Scenario(render::faults(&r.faults, &r.sources, false)))?;
+    let setup: Setup = loaded
+        .setup()
+        .map_err(|faults| Error::Scenario(render::faults(&faults, loaded.sources(), false)))?;
+    let mut simulation = Simulation::new(setup).map_err(|e| Error::Scenario(e.to_string()))?;
+    let outcome = simulation.run();
+    match outcome.error {
+        Some(error) => Err(error.into()),
+        None => Ok(Run { simulation, summary: outcome.summary }),
+    }
+}

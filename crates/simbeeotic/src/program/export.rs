@@ -1,0 +1,71 @@
+//! `export`: a recording as a table.
+
+use super::arguments::ExportOptions;
+use super::{Failure, input, remark, show};
+use simbeeotic_kernel::SimTime;
+use simbeeotic_record::{ExportError, Exported, Recording, Selection, export_csv, export_parquet};
+use std::fs::File;
+use std::io::{BufWriter, Write, stdout};
+use std::num::NonZeroU64;
+use std::path::Path;
+
+/// Writes the table.
+pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
+    let recording = Recording::open(&options.recording).map_err(Failure::input)?;
+    if recording.truncated() {
+        remark(format!(
+            "note: {} was cut off; it reads up to {}",
+            options.recording.display(),
+            SimTime::from_nanos(recording.end_ns())
+        ));
+    }
+    let selection = selection(options)?;
+    let (exported, target) = match (&options.csv, &options.parquet) {
+        (Some(path), _) if path == Path::new("-") => {
+            let mut out = BufWriter::new(stdout().lock());
+            match export_csv(&recording, &selection, &mut out).and_then(|done| Ok((done, out.flush()?))) {
+                // A reader that has gone away (`| head`) has what it wanted.
+                Err(ExportError::Io(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => return Ok(()),
+                result => return result.map(drop).map_err(failed),
+            }
+        }
+        (Some(path), _) => {
+            let file = File::create(path)
+                .map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
+            (export_csv(&recording, &selection, BufWriter::new(file)).map_err(failed)?, path.clone())
+        }
+        (None, parquet) => {
+            let named = parquet.clone().filter(|p| !p.as_os_str().is_empty());
+            let path = named.unwrap_or_else(|| options.recording.with_extension("parquet"));
+            (export_parquet(&recording, &selection, &path).map_err(failed)?, path)
+        }
+    };
+    report(&exported, &target);
+    Ok(())
+}
+
+fn report(exported: &Exported, target: &Path) {
+    let bytes = std::fs::metadata(target).map(|m| m.len()).unwrap_or(0);
+    remark(format!("wrote {}: {} rows, {}", target.display(), exported.rows, show::bytes(bytes)));
+}
+
+fn failed(error: ExportError) -> Failure {
+    Failure::run(error)
+}
+
+fn selection(options: &ExportOptions) -> Result<Selection, Failure> {
+    let nanos = |option: &str, text: &Option<String>, or: u64| match text {
+        None => Ok(or),
+        Some(text) => {
+            let time = input::span(option, text)?;
+            SimTime::from_time(time).map(SimTime::nanos).map_err(|e| Failure::input(format!("{option}: {e}")))
+        }
+    };
+    let every = NonZeroU64::new(options.every)
+        .ok_or_else(|| Failure::input("--every 0: it must be one or more"))?;
+    Ok(Selection {
+        every,
+        models: options.model.iter().cloned().collect(),
+        times_ns: nanos("--from", &options.from, 0)?..=nanos("--to", &options.to, u64::MAX)?,
+    })
+}
