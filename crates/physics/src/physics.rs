@@ -1,9 +1,13 @@
-//! The table of all bodies, and the contacts between them.
+//! The table of all bodies: what its users see of it. How it works through time is in `events`.
 
-use crate::body::{BodyId, BodySpec, Material};
+use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, Shape, group};
 use crate::contact::Contact;
-use crate::error::BodyError;
+use crate::encounters::Encounters;
+use crate::error::{self, BodyError};
+use crate::limits;
+use crate::lists::Lists;
 use crate::motion::Motion;
+use crate::queue::{GROUND, Queue};
 use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
@@ -11,15 +15,15 @@ use simbeeotic_units::{Acceleration, Time};
 /// What holds for the whole world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
-    /// Free fall, downwards; standard gravity unless said otherwise.
+    /// Free fall, downwards, 0 to 1e6 m/s^2; standard gravity unless said otherwise.
     pub gravity: Acceleration,
     /// The surface of the ground, the plane at up = 0; `None`: there is no ground.
     pub ground: Option<Material>,
-    /// Time between two listings of who may meet whom. Changes the cost, never a result.
+    /// Time between two listings of who may meet whom, 1 ms to 1000 s. Changes the cost, never a result.
     pub list_period: Time,
-    /// Whether bodies that touch nobody are kept in the grid too, so that [`Physics::near`] stays quick
-    /// for them. Costs one pass over all bodies each `list_period`.
-    pub grid_all: bool,
+    /// Whether bodies that touch nobody are listed too, so that [`Physics::near`] is quick for them.
+    /// Costs one pass over all bodies each `list_period`.
+    pub list_all: bool,
 }
 
 impl Default for Config {
@@ -28,41 +32,207 @@ impl Default for Config {
             gravity: simbeeotic_units::constants::STANDARD_GRAVITY,
             ground: Some(Material::default()),
             list_period: Time::from_millis(100.0),
-            grid_all: false,
+            list_all: false,
         }
     }
 }
 
-/// All bodies.
+impl Config {
+    /// Whether a world can be like this.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of its range.
+    pub fn check(&self) -> Result<(), BodyError> {
+        error::ranged(
+            "gravity [m/s^2]",
+            self.gravity.get(),
+            0.0,
+            limits::ACCELERATION_M_S2_MAX,
+        )?;
+        error::ranged("list_period [s]", self.list_period.get(), 1e-3, 1e3)?;
+        self.ground.as_ref().map_or(Ok(()), Material::check)
+    }
+}
+
+/// What has to be looked at when a body changes: bits of one byte.
+pub(crate) mod duty {
+    /// It may meet the ground.
+    pub(crate) const GROUND: u8 = 1;
+    /// It may meet another body.
+    pub(crate) const MEETS: u8 = 2;
+    /// It has a place in the lists.
+    pub(crate) const LISTED: u8 = 4;
+    /// It bounces.
+    pub(crate) const RESPONDS: u8 = 8;
+    /// It has changed, and its contacts are not predicted yet.
+    pub(crate) const DIRTY: u8 = 16;
+}
+
+/// Whom a body may touch; all that two bodies ask of each other when they are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Filter {
+    group: u16,
+    mask: u16,
+    fixed: bool,
+    none: bool,
+}
+
+impl Filter {
+    fn new(spec: &BodySpec) -> Self {
+        // Boxes do not collide yet.
+        let none = spec.contacts == Contacts::None || matches!(spec.shape, Shape::Box { .. });
+        Self {
+            group: spec.group,
+            mask: spec.mask,
+            fixed: spec.mobility == Mobility::Fixed,
+            none,
+        }
+    }
+
+    pub(crate) fn agrees(self, other: Self) -> bool {
+        self.group & other.mask != 0
+            && other.group & self.mask != 0
+            && !(self.fixed && other.fixed)
+            && !(self.none || other.none)
+    }
+
+    fn meets_ground(self) -> bool {
+        self.mask & group::TERRAIN != 0 && !self.fixed && !self.none
+    }
+}
+
+/// All bodies, and the contacts between them.
+///
+/// # How an engine uses it
+///
+/// ```text
+/// loop:
+///   now = the earlier of its own next event and next_time()
+///   advance(now, &mut contacts)      bodies that meet at now have bounced
+///   ... agents read motion(id), change copies ...
+///   commit(id, now, motion)          for each body that an agent has changed
+///   settle(now)                      what was changed is predicted anew
+/// ```
+///
+/// [`next_time`](Self::next_time) may name an instant at which nothing is seen to happen (lists are made
+/// anew). Between two calls nobody has to be told that time passes: [`motion`](Self::motion) holds good
+/// until the next instant that `next_time` names.
+///
+/// # Cost
+///
+/// A world in which nothing can touch anything costs nothing but the copies of `commit`. Otherwise each
+/// change costs a look at the body's neighbours, and each `list_period` one pass over those bodies that
+/// can touch something, as long as one of them moves.
+#[derive(Debug)]
 pub struct Physics {
-    config: Config,
-    motions: Vec<Motion>,
+    pub(crate) gravity: f64,
+    pub(crate) ground: Option<Material>,
+    pub(crate) list_period_ns: u64,
+    pub(crate) list_all: bool,
+
+    pub(crate) motions: Vec<Motion>,
+    pub(crate) duties: Vec<u8>,
+    pub(crate) filters: Vec<Filter>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) shapes: Vec<Shape>,
+    /// When a review of each body is in the queue; [`SimTime::MAX`] if none is.
+    pub(crate) reviews: Vec<SimTime>,
+
+    pub(crate) lists: Lists,
+    pub(crate) queue: Queue,
+    pub(crate) encounters: Encounters,
+    pub(crate) dirty: Vec<u32>,
+    /// Bodies with no place in the lists.
+    pub(crate) unlisted: Vec<u32>,
+    /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
+    /// touch something.
+    pub(crate) horizon: SimTime,
+    /// The latest time anybody named.
+    pub(crate) clock: SimTime,
+    /// Bodies were added since who meets whom was worked out.
+    pub(crate) grown: bool,
+    /// Number of contacts resolved and of pairs searched, for measurements.
+    pub(crate) tally: Tally,
+}
+
+/// What physics has done so far: for measurements, never for results.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Impacts, and touches detected.
+    pub contacts: u64,
+    /// Searches for the time at which two bodies meet.
+    pub searches: u64,
+    /// Listings of all bodies.
+    pub listings: u64,
+    /// Listings of one body.
+    pub relistings: u64,
+    /// Segments begun anew because a body slid or tumbled.
+    pub reviews: u64,
 }
 
 impl Physics {
-    /// A world without bodies.
+    /// A world without bodies. A `config` that does not pass [`Config::check`] is replaced by the
+    /// default.
     #[must_use]
     pub fn new(config: Config) -> Self {
+        let config = if config.check().is_ok() {
+            config
+        } else {
+            Config::default()
+        };
         Self {
-            config,
+            gravity: config.gravity.get(),
+            ground: config.ground,
+            list_period_ns: (config.list_period.get() * 1e9) as u64,
+            list_all: config.list_all,
             motions: Vec::new(),
+            duties: Vec::new(),
+            filters: Vec::new(),
+            materials: Vec::new(),
+            shapes: Vec::new(),
+            reviews: Vec::new(),
+            lists: Lists::default(),
+            queue: Queue::default(),
+            encounters: Encounters::default(),
+            dirty: Vec::new(),
+            unlisted: Vec::new(),
+            horizon: SimTime::MAX,
+            clock: SimTime::ZERO,
+            grown: false,
+            tally: Tally::default(),
         }
     }
 
-    /// Adds a body, as it is at the start of the run.
+    /// Adds a body, as it is at the start of the run. Bodies are added before the first call of
+    /// [`settle`](Self::settle) or [`advance`](Self::advance); one that is added later has been there,
+    /// unseen, since the start.
     ///
     /// # Errors
     /// As [`BodySpec::check`], or more than 2^32 - 2 bodies.
     pub fn add(&mut self, spec: BodySpec) -> Result<BodyId, BodyError> {
         spec.check()?;
+        let id = u32::try_from(self.motions.len())
+            .ok()
+            .filter(|id| *id < GROUND);
+        let id = id.ok_or(BodyError::TooMany)?;
         let friction = self
-            .config
             .ground
-            .map_or(0.0, |g| g.against(&spec.material).friction);
-        let id = BodyId(self.motions.len() as u32);
+            .map_or(0.0, |ground| ground.against(&spec.material).friction);
+        let responds = if spec.contacts == Contacts::Respond {
+            duty::RESPONDS
+        } else {
+            0
+        };
         self.motions
-            .push(Motion::new(&spec, self.config.gravity.get(), friction));
-        Ok(id)
+            .push(Motion::new(&spec, self.gravity, friction));
+        self.duties.push(responds | duty::DIRTY);
+        self.filters.push(Filter::new(&spec));
+        self.materials.push(spec.material);
+        self.shapes.push(spec.shape);
+        self.reviews.push(SimTime::MAX);
+        self.dirty.push(id);
+        self.grown = true;
+        Ok(BodyId(id))
     }
 
     /// Number of bodies.
@@ -78,28 +248,137 @@ impl Physics {
     }
 
     /// The trajectory segment of a body.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
     #[inline]
     #[must_use]
     pub fn motion(&self, id: BodyId) -> &Motion {
         &self.motions[id.index()]
     }
 
-    /// Lets `motion` replace the body's segment, as of `now`.
-    pub fn commit(&mut self, id: BodyId, _now: SimTime, motion: Motion) {
-        self.motions[id.index()] = motion;
+    /// The outline of a body.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[must_use]
+    pub fn shape(&self, id: BodyId) -> Shape {
+        self.shapes[id.index()]
     }
 
-    /// Predicts the contacts of all bodies that have changed.
-    pub fn settle(&mut self, _now: SimTime) {}
-
-    /// The earliest instant at which [`advance`](Self::advance) has something to do.
-    pub fn next_time(&mut self) -> Option<SimTime> {
-        None
+    /// Lets `motion` replace the body's segment from `now` on.
+    ///
+    /// `motion` is a changed copy of what [`motion`](Self::motion) showed at `now`, begun anew no later.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[inline]
+    pub fn commit(&mut self, id: BodyId, now: SimTime, motion: Motion) {
+        let place = &mut self.motions[id.index()];
+        debug_assert!(
+            motion.t0 <= now,
+            "a segment begins in the future: {motion:?} at {now}"
+        );
+        debug_assert!(
+            motion.radius == place.radius,
+            "a segment of another body: {motion:?}"
+        );
+        let stamp = place.stamp.wrapping_add(1);
+        *place = motion;
+        place.stamp = stamp;
+        self.clock = self.clock.max(now);
+        let duty = &mut self.duties[id.index()];
+        if *duty & duty::DIRTY == 0 {
+            *duty |= duty::DIRTY;
+            self.dirty.push(id.0);
+        }
     }
 
-    /// Resolves everything that is due up to and including `now`; appends the contacts to `contacts`.
-    pub fn advance(&mut self, _now: SimTime, _contacts: &mut Vec<Contact>) {}
+    /// Appends every body whose centre of mass lies within `radius_m` of `p_enu` at `t`, by id.
+    ///
+    /// Quick for bodies that can touch others, and for all if `list_all` is set; the rest are looked at
+    /// one by one. `t` is the present; asking for another time is right, too, but slow.
+    pub fn near(&self, p_enu: DVec3, radius_m: f64, t: SimTime, found: &mut Vec<BodyId>) {
+        let mut candidates = Vec::new();
+        let present = self.lists.built() <= t && t <= self.horizon && !self.grown;
+        if present && self.dirty.is_empty() {
+            self.lists.around(p_enu, radius_m, &mut candidates);
+            candidates.extend_from_slice(&self.unlisted);
+        } else {
+            candidates.extend(0..self.motions.len() as u32);
+        }
+        let within = |id: &u32| self.motions[*id as usize].position(t).distance(p_enu) <= radius_m;
+        candidates.retain(within);
+        candidates.sort_unstable();
+        candidates.dedup();
+        found.extend(candidates.into_iter().map(BodyId));
+    }
 
-    /// Appends the bodies whose centres lie within `radius_m` of `p_enu` at `t`, in order of id.
-    pub fn near(&self, _p_enu: DVec3, _radius_m: f64, _t: SimTime, _found: &mut Vec<BodyId>) {}
+    /// What has been done so far.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    /// Works out which bodies can meet at all. Bodies of the same filter form a class.
+    pub(crate) fn classify(&mut self) {
+        let mut classes: Vec<(Filter, bool)> = Vec::new();
+        for filter in &self.filters {
+            match classes.iter_mut().find(|(class, _)| class == filter) {
+                Some((_, several)) => *several = true,
+                None => classes.push((*filter, false)),
+            }
+        }
+        let meets = |filter: Filter| {
+            classes
+                .iter()
+                .any(|(class, several)| filter.agrees(*class) && (*class != filter || *several))
+        };
+        let has_ground = self.ground.is_some();
+        self.unlisted.clear();
+        for (id, filter) in self.filters.iter().enumerate() {
+            let duty = &mut self.duties[id];
+            *duty &= duty::RESPONDS | duty::DIRTY;
+            if has_ground && filter.meets_ground() {
+                *duty |= duty::GROUND;
+            }
+            if meets(*filter) {
+                *duty |= duty::MEETS | duty::LISTED;
+            }
+            if self.list_all {
+                *duty |= duty::LISTED;
+            }
+            if *duty & duty::LISTED == 0 {
+                self.unlisted.push(id as u32);
+            }
+        }
+        self.grown = false;
+    }
+
+    /// Whether anything about a body has to be foreseen.
+    pub(crate) fn watches(&self, id: u32) -> bool {
+        self.duties[id as usize] & (duty::GROUND | duty::LISTED) != 0
+    }
+
+    /// Whether it matters if two bodies meet.
+    pub(crate) fn contact_of(&self, a: u32, b: u32) -> Contacts {
+        let both = self.duties[a as usize] & self.duties[b as usize];
+        let movable =
+            self.motions[a as usize].inverse_mass + self.motions[b as usize].inverse_mass > 0.0;
+        if both & duty::RESPONDS != 0 && movable {
+            Contacts::Respond
+        } else {
+            Contacts::Detect
+        }
+    }
+
+    /// Resolves everything that is due up to and including `now`; appends the contacts to `contacts`, in
+    /// their order.
+    pub fn advance(&mut self, now: SimTime, contacts: &mut Vec<Contact>) {
+        self.settle_if_dirty();
+        let first = contacts.len();
+        self.run_until(now, contacts);
+        self.clock = self.clock.max(now);
+        contacts[first..].sort_by_key(|c| (c.time, c.a, c.b.map_or(GROUND, |b| b.0)));
+    }
 }

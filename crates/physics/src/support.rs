@@ -10,7 +10,7 @@
 //!
 //! If `f` lies along `v` (or is zero) this is uniform deceleration, and the time of the stop,
 //! `|v| / (mu N - f)`, is exact. Otherwise the direction of friction turns with the velocity; it is
-//! held while the velocity turns by 0.1 rad, then the segment begins anew.
+//! held while the velocity turns by 0.02 rad, then the segment begins anew.
 //!
 //! The ground holds a body as by its landing gear: it slides, it does not roll, and when it has stopped
 //! it no longer spins. A command that lifts it, or gives it an upward velocity, ends the support;
@@ -35,7 +35,7 @@ pub enum Support {
 }
 
 /// Tangent of the angle by which a sliding body may turn before the direction of friction follows.
-const TURN_TAN: f64 = 0.1;
+const TURN_TAN: f64 = 0.02;
 
 impl Motion {
     /// Friction at most, as an acceleration.

@@ -1,0 +1,112 @@
+//! What has to be remembered of pairs: who touches whom unanswered, and who meets too often.
+//!
+//! Most pairs need no memory: after a bounce both segments are new, and say all. Two exceptions:
+//!
+//! - A pair that only *detects* passes through itself on unchanged segments. From its meeting on it is
+//!   *inside*, until it has parted.
+//! - A body squeezed between two others that nothing can push away (a ghost pressing it to the ground)
+//!   would bounce infinitely often within a nanosecond. A pair that has met [`BURST_MAX`] times, each
+//!   within [`BURST_NS`] of the last, is *held*: it does not meet again for [`HOLD_NS`], and overlaps
+//!   meanwhile.
+//!
+//! The ground is [`GROUND`](crate::queue::GROUND), always as the second of a pair.
+
+use crate::predict::Passage;
+use simbeeotic_kernel::SimTime;
+use std::collections::BTreeMap;
+
+/// Meetings of one pair in close succession, after which it is held.
+const BURST_MAX: u32 = 16;
+/// Meetings this close in time belong to one burst.
+const BURST_NS: u64 = 5_000_000;
+/// For how long a pair is held.
+const HOLD_NS: u64 = 1_000_000;
+
+type Pair = (u32, u32);
+
+#[derive(Clone, Copy, Debug)]
+struct Touch {
+    since: SimTime,
+    inside: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Burst {
+    last: SimTime,
+    count: u32,
+}
+
+/// The memory of pairs, almost always almost empty.
+#[derive(Debug, Default)]
+pub(crate) struct Encounters {
+    touches: BTreeMap<Pair, Touch>,
+    holds: BTreeMap<Pair, SimTime>,
+    bursts: BTreeMap<Pair, Burst>,
+}
+
+impl Encounters {
+    /// From when on, and for which passage, a pair whose segments hold since `origin` is searched.
+    #[inline]
+    pub(crate) fn search_from(&self, pair: Pair, origin: SimTime) -> (SimTime, Passage) {
+        if self.touches.is_empty() && self.holds.is_empty() {
+            return (origin, Passage::In);
+        }
+        let origin = self
+            .holds
+            .get(&pair)
+            .map_or(origin, |until| origin.max(*until));
+        match self.touches.get(&pair) {
+            Some(touch) if touch.inside => (origin.max(touch.since), Passage::Out),
+            Some(touch) => (origin.max(touch.since), Passage::In),
+            None => (origin, Passage::In),
+        }
+    }
+
+    /// Since when a pair that is inside has been there.
+    pub(crate) fn inside_since(&self, pair: Pair) -> Option<SimTime> {
+        self.touches
+            .get(&pair)
+            .filter(|touch| touch.inside)
+            .map(|touch| touch.since)
+    }
+
+    /// A pair that only detects has met or parted.
+    pub(crate) fn passed(&mut self, pair: Pair, passage: Passage, t: SimTime) {
+        self.touches.insert(
+            pair,
+            Touch {
+                since: t,
+                inside: passage == Passage::In,
+            },
+        );
+    }
+
+    /// A pair has bounced; holds it if it does so all the time.
+    pub(crate) fn bounced(&mut self, pair: Pair, t: SimTime) {
+        let burst = self
+            .bursts
+            .entry(pair)
+            .or_insert(Burst { last: t, count: 0 });
+        let close = t.nanos() - burst.last.nanos() <= BURST_NS;
+        *burst = Burst {
+            last: t,
+            count: if close {
+                burst.count.saturating_add(1)
+            } else {
+                1
+            },
+        };
+        if burst.count > BURST_MAX {
+            self.holds.insert(pair, t.saturating_add_nanos(HOLD_NS));
+        }
+    }
+
+    /// Forgets what can have no effect any more at `t`; `origin` tells since when a pair's segments hold.
+    pub(crate) fn prune(&mut self, t: SimTime, origin: impl Fn(Pair) -> SimTime) {
+        self.bursts
+            .retain(|_, burst| t.nanos() - burst.last.nanos() <= BURST_NS);
+        self.holds.retain(|pair, until| origin(*pair) < *until);
+        self.touches
+            .retain(|pair, touch| touch.inside || origin(*pair) <= touch.since);
+    }
+}

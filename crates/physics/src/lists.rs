@@ -1,0 +1,279 @@
+//! Who might meet whom until the next listing.
+//!
+//! At a listing each body gets a ball about its place, as large as it can be expected to stay in until
+//! the next one; two bodies are on each other's lists if their balls, and the bodies at their edges, can
+//! touch. So bodies that are not listed cannot meet while both stay in their balls; one that may leave
+//! its ball is listed anew at that time, alone. Lists change what is searched, never what is found.
+
+use crate::grid::{Grid, Item};
+use crate::motion::{Motion, seconds_between};
+use glam::DVec3;
+use simbeeotic_kernel::SimTime;
+use std::collections::BTreeMap;
+
+/// A ball holds what a body's speed takes it, times this,
+const SPEED_MARGIN: f64 = 1.1;
+/// what twice its acceleration takes it (commands change both),
+const ACCELERATION_MARGIN: f64 = 1.0;
+/// and this, m.
+const FLOOR_M: f64 = 0.03;
+/// A reach of more than this times the mean makes a body big: it is looked at by everyone.
+const BIG: f64 = 4.0;
+/// Edge of a cube of the grid over the mean reach.
+const CELL: f64 = 6.0;
+/// Shortest and longest edge of a cube, m.
+const CELL_M_RANGE: (f64, f64) = (0.25, 1000.0);
+
+/// Where a body stays until the next listing, and where its list begins.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+struct Ball {
+    centre: DVec3,
+    allowance: f32,
+    first: u32,
+}
+
+/// Neighbour lists of all bodies.
+#[derive(Debug, Default)]
+pub(crate) struct Lists {
+    grid: Grid,
+    /// One more than bodies: a list ends where the next begins.
+    balls: Vec<Ball>,
+    neighbours: Vec<u32>,
+    pairs: Vec<(u32, u32)>,
+    /// Neighbours found since the listing.
+    extra: BTreeMap<u32, Vec<u32>>,
+    /// Bodies listed anew since the listing; their entry in the grid is out of date.
+    relisted: Vec<u32>,
+    big: Vec<u32>,
+    /// The greatest reach of a body that is not big.
+    common_reach: f64,
+    built: SimTime,
+}
+
+/// How far a body may go from where it is at `t` until `horizon`.
+fn allowance(speed: f64, acceleration: f64, span_s: f64) -> f32 {
+    let way = SPEED_MARGIN * speed * span_s + ACCELERATION_MARGIN * acceleration * span_s * span_s;
+    (way + FLOOR_M) as f32
+}
+
+/// Radius and allowance together, rounded up.
+fn reach(motion: &Motion, allowance: f32) -> f32 {
+    ((motion.radius_m() + f64::from(allowance)) * (1.0 + 1e-6)) as f32
+}
+
+impl Lists {
+    /// Lists all bodies for which `listed` holds, from `t` until `horizon`. `agree` says of which pairs
+    /// it matters whether they meet.
+    pub(crate) fn build(
+        &mut self,
+        motions: &[Motion],
+        listed: impl Fn(u32) -> bool,
+        agree: impl Fn(u32, u32) -> bool,
+        t: SimTime,
+        horizon: SimTime,
+    ) {
+        let span_s = seconds_between(t, horizon);
+        self.built = t;
+        self.extra.clear();
+        self.relisted.clear();
+        self.balls.clear();
+        let items = self.grid.collect();
+        let mut total_reach = 0.0;
+        for (id, motion) in motions.iter().enumerate() {
+            let id = id as u32;
+            let mut ball = Ball {
+                centre: DVec3::ZERO,
+                allowance: 0.0,
+                first: 0,
+            };
+            if listed(id) {
+                let (p, v, a) = motion.kinematics(t);
+                ball.centre = p;
+                ball.allowance = allowance(v.length(), a.length(), span_s);
+                let item = Item {
+                    centre: p,
+                    reach: reach(motion, ball.allowance),
+                    id,
+                };
+                total_reach += item.reach();
+                items.push(item);
+            }
+            self.balls.push(ball);
+        }
+        self.balls.push(Ball {
+            centre: DVec3::ZERO,
+            allowance: 0.0,
+            first: 0,
+        });
+        let mean_reach = total_reach / items.len().max(1) as f64;
+        self.sort_out(mean_reach);
+        let (least, most) = CELL_M_RANGE;
+        self.grid.build((CELL * mean_reach).clamp(least, most));
+        self.find_pairs(agree);
+        self.fill();
+    }
+
+    /// Tells the big bodies from the others.
+    fn sort_out(&mut self, mean_reach: f64) {
+        self.big.clear();
+        self.common_reach = 0.0;
+        for item in self.grid.collected() {
+            if item.reach() > BIG * mean_reach {
+                self.big.push(item.id);
+            } else {
+                self.common_reach = self.common_reach.max(item.reach());
+            }
+        }
+    }
+
+    /// Finds each pair once, from the one that reaches farther: so a big body asks far, and the others
+    /// need not.
+    fn find_pairs(&mut self, agree: impl Fn(u32, u32) -> bool) {
+        self.pairs.clear();
+        let (grid, pairs) = (&self.grid, &mut self.pairs);
+        for item in grid.items() {
+            grid.around(item.centre, 2.0 * item.reach(), |other| {
+                let shorter = (other.reach, other.id) < (item.reach, item.id);
+                let touch = item.reach() + other.reach();
+                if shorter
+                    && item.centre.distance_squared(other.centre) <= touch * touch
+                    && agree(item.id, other.id)
+                {
+                    pairs.push((item.id, other.id));
+                }
+            });
+        }
+    }
+
+    /// Writes each pair into the lists of both.
+    fn fill(&mut self) {
+        for &(a, b) in &self.pairs {
+            self.balls[a as usize].first += 1;
+            self.balls[b as usize].first += 1;
+        }
+        let mut end = 0;
+        for ball in &mut self.balls {
+            end += ball.first;
+            ball.first = end;
+        }
+        self.neighbours.clear();
+        self.neighbours.resize(end as usize, 0);
+        for &(a, b) in self.pairs.iter().rev() {
+            for (of, neighbour) in [(a, b), (b, a)] {
+                let first = &mut self.balls[of as usize].first;
+                *first -= 1;
+                self.neighbours[*first as usize] = neighbour;
+            }
+        }
+    }
+
+    /// The pairs found at the listing, each once.
+    pub(crate) fn pairs(&self) -> &[(u32, u32)] {
+        &self.pairs
+    }
+
+    /// Where in [`neighbour`](Self::neighbour) the list of a body lies.
+    #[inline]
+    pub(crate) fn range(&self, id: u32) -> std::ops::Range<u32> {
+        self.balls[id as usize].first..self.balls[id as usize + 1].first
+    }
+
+    /// One entry of the lists.
+    #[inline]
+    pub(crate) fn neighbour(&self, place: u32) -> u32 {
+        self.neighbours[place as usize]
+    }
+
+    /// Neighbours of a body that were found since the listing.
+    pub(crate) fn extra(&self, id: u32) -> &[u32] {
+        if self.extra.is_empty() {
+            &[]
+        } else {
+            self.extra.get(&id).map_or(&[], Vec::as_slice)
+        }
+    }
+
+    /// The earliest time from `now` on at which a body may leave its ball on its present segment.
+    #[inline]
+    pub(crate) fn leaves(&self, id: u32, motion: &Motion, now: SimTime) -> SimTime {
+        let ball = &self.balls[id as usize];
+        let (p, v, a) = motion.kinematics(now);
+        let room = f64::from(ball.allowance) - p.distance(ball.centre);
+        if room <= 0.0 {
+            return now;
+        }
+        // Whatever their directions, room = v s + a s^2 / 2 comes first.
+        let speed = v.length();
+        let s = 2.0 * room / (speed + (speed * speed + 2.0 * a.length() * room).sqrt());
+        // The cast holds infinity at the greatest integer. One nanosecond is for its rounding.
+        now.saturating_add_nanos(((s * 1e9) as u64).saturating_sub(1))
+    }
+
+    /// Whether a body is elsewhere than when it was listed.
+    pub(crate) fn displaced(&self, id: u32, motion: &Motion) -> bool {
+        self.balls
+            .get(id as usize)
+            .is_none_or(|ball| ball.centre != motion.p)
+    }
+
+    /// Whether so many bodies were listed anew that listing all is cheaper.
+    pub(crate) fn crowded(&self) -> bool {
+        self.relisted.len() >= 8 + self.grid.items().len() / 16
+    }
+
+    /// Lists one body anew, from `t` until `horizon`.
+    pub(crate) fn relist(
+        &mut self,
+        id: u32,
+        motions: &[Motion],
+        agree: impl Fn(u32, u32) -> bool,
+        t: SimTime,
+        horizon: SimTime,
+    ) {
+        let motion = &motions[id as usize];
+        let (p, v, a) = motion.kinematics(t);
+        let allowance = allowance(v.length(), a.length(), seconds_between(t, horizon));
+        let ball = &mut self.balls[id as usize];
+        (ball.centre, ball.allowance) = (p, allowance);
+        if !self.relisted.contains(&id) {
+            self.relisted.push(id);
+        }
+
+        let own = f64::from(reach(motion, allowance));
+        let mut found = Vec::new();
+        self.grid
+            .around(p, own + self.common_reach, |item| found.push(item.id));
+        found.extend_from_slice(&self.big);
+        found.extend_from_slice(&self.relisted);
+        found.sort_unstable();
+        found.dedup();
+        for other in found {
+            let ball = &self.balls[other as usize];
+            let touch = own + f64::from(reach(&motions[other as usize], ball.allowance));
+            let meets = other != id && ball.centre.distance_squared(p) <= touch * touch;
+            if meets && agree(id, other) && !self.knows(id, other) {
+                self.extra.entry(id).or_default().push(other);
+                self.extra.entry(other).or_default().push(id);
+            }
+        }
+    }
+
+    fn knows(&self, id: u32, other: u32) -> bool {
+        self.range(id).any(|place| self.neighbour(place) == other)
+            || self.extra(id).contains(&other)
+    }
+
+    /// Appends every listed body that can be within `radius` of `p`, some twice.
+    pub(crate) fn around(&self, p: DVec3, radius: f64, found: &mut Vec<u32>) {
+        self.grid
+            .around(p, radius + self.common_reach, |item| found.push(item.id));
+        found.extend_from_slice(&self.big);
+        found.extend_from_slice(&self.relisted);
+    }
+
+    /// When the lists were made.
+    pub(crate) fn built(&self) -> SimTime {
+        self.built
+    }
+}
