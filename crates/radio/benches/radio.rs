@@ -28,13 +28,26 @@ impl Poses for Ball {
 
 fn ball(n: usize) -> (SimpleMedium, Ball) {
     let mut stream = Stream::new(1, "bench", "ball");
-    let poses = Ball((0..n).map(|_| Position::from_si(stream.in_ball(20.0).into())).collect());
-    let config = SimpleConfig { range_limit: Length::from_metres(30.0), ..SimpleConfig::default() };
+    let poses = Ball(
+        (0..n)
+            .map(|_| Position::from_si(stream.in_ball(20.0)))
+            .collect(),
+    );
+    let config = SimpleConfig {
+        range_limit: Length::from_metres(30.0),
+        ..SimpleConfig::default()
+    };
     let mut medium = SimpleMedium::new(config).expect("the settings make sense");
     for bee in 0..n {
         let spec = cc2420::spec(11, 31).expect("channel and level exist");
         let key = path_key(&format!("bee-{bee}/radio"));
-        medium.add(RadioSpec { owner: ModelId(bee as u32), key, ..spec }).expect("keys differ");
+        medium
+            .add(RadioSpec {
+                owner: ModelId(bee as u32),
+                key,
+                ..spec
+            })
+            .expect("keys differ");
     }
     (medium, poses)
 }
@@ -46,7 +59,9 @@ fn dense(c: &mut Criterion) {
         let (mut owners, mut scratch) = (Vec::new(), Scratch::new());
         let mut now = SimTime::ZERO;
         let mut group = c.benchmark_group("dense");
-        group.sample_size(10).throughput(Throughput::Elements((n * (n - 1)) as u64));
+        group
+            .sample_size(10)
+            .throughput(Throughput::Elements((n * (n - 1)) as u64));
 
         let mut round = |medium: &mut SimpleMedium| {
             now = now.saturating_add_nanos(1_000_000_000);
@@ -57,11 +72,14 @@ fn dense(c: &mut Criterion) {
             medium.open(now, &poses, &mut owners);
             owners.len()
         };
-        group.bench_function(BenchmarkId::new("open", n), |b| b.iter(|| round(&mut medium)));
+        group.bench_function(BenchmarkId::new("open", n), |b| {
+            b.iter(|| round(&mut medium))
+        });
         group.bench_function(BenchmarkId::new("open-collect", n), |b| {
             b.iter(|| {
                 round(&mut medium);
-                let received = (0..n as u32).map(|r| medium.collect(RadioId(r), &mut scratch).len());
+                let received =
+                    (0..n as u32).map(|r| medium.collect(RadioId(r), &mut scratch).len());
                 received.sum::<usize>()
             });
         });
@@ -102,9 +120,14 @@ fn by_frame(c: &mut Criterion) {
             b.iter(|| {
                 now = now.saturating_add_nanos(1_000_000);
                 sender = (sender + 1) % n as u32;
-                medium.submit(now, Request::broadcast(RadioId(sender), Arc::clone(&payload)));
+                medium.submit(
+                    now,
+                    Request::broadcast(RadioId(sender), Arc::clone(&payload)),
+                );
                 medium.open(now, &poses, &mut owners);
-                let heard = owners.iter().map(|o| medium.collect(RadioId(o.0), &mut scratch).len());
+                let heard = owners
+                    .iter()
+                    .map(|o| medium.collect(RadioId(o.0), &mut scratch).len());
                 heard.sum::<usize>()
             });
         });

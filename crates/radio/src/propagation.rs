@@ -56,7 +56,8 @@ pub struct Links<'a> {
     pub far_enu_m: [&'a [f32]; 3],
     /// The radios at the other ends.
     pub far_keys: &'a [u64],
-    /// Squares of the distances, m².
+    /// Squares of the distances, m². NaN where there is no link (nobody hears oneself): whatever gain
+    /// is given there is not used.
     pub distances_squared_m2: &'a [f32],
     /// The frames on these links.
     pub frames: FrameKeys<'a>,

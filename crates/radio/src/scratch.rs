@@ -15,7 +15,7 @@ pub struct Scratch {
 
 /// Columns of one row of pairs.
 pub(crate) struct Row {
-    /// Squares of distances, m²; infinite for a radio and its own frame.
+    /// Squares of distances, m²; NaN for a radio and its own frame, which nothing is in range of.
     pub(crate) squares_m2: [f32; ROW],
     /// Gain of the space between the antennas, linear.
     pub(crate) gains: [f32; ROW],

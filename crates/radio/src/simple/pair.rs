@@ -81,11 +81,7 @@ pub(super) fn listen(
     let squares = &mut row.squares_m2[..n];
     for j in 0..n {
         let square = square([x[j], y[j], z[j]], here);
-        squares[j] = if radios[j] == radio {
-            f32::INFINITY
-        } else {
-            square
-        };
+        squares[j] = if radios[j] == radio { f32::NAN } else { square };
     }
 
     let squares = &row.squares_m2[..n];
@@ -165,11 +161,7 @@ pub(super) fn tell(
     let squares = &mut row.squares_m2[..n];
     for j in 0..n {
         let square = square(there, [x[j], y[j], z[j]]);
-        squares[j] = if radios[j] == radio {
-            f32::INFINITY
-        } else {
-            square
-        };
+        squares[j] = if radios[j] == radio { f32::NAN } else { square };
     }
 
     let squares = &row.squares_m2[..n];

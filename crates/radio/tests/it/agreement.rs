@@ -1,0 +1,217 @@
+//! Two ways to the same answer: frame by frame, receiver by receiver; and what must not matter.
+
+use crate::support::{self, Still, broadcast, medium, pairs, round, secs};
+use proptest::prelude::*;
+use simbeeotic_kernel::rng::path_key;
+use simbeeotic_kernel::{ModelId, Stream};
+use simbeeotic_radio::{
+    Antenna, Channel, Command, ErrorModel, Isotropic, Medium, RadioId, RadioSpec, Request,
+    SimpleConfig, SimpleMedium, cc2420,
+};
+use simbeeotic_units::glam::DVec3;
+use simbeeotic_units::math::pow;
+use simbeeotic_units::{Angle, Attitude, Decibels, Mount, Offset, Pose, Position, PowerLevel, Yaw};
+use std::sync::Arc;
+
+/// Looks forward: 6 dB there, -6 dB behind.
+#[derive(Debug)]
+struct Patch;
+
+impl Antenna for Patch {
+    fn gain(&self, direction: DVec3) -> Decibels {
+        Decibels::from_db(6.0 * direction.x)
+    }
+}
+
+/// Long frames die sooner.
+#[derive(Debug)]
+struct ByLength;
+
+impl ErrorModel for ByLength {
+    fn packet_success(&self, snr: Decibels, frame_bytes: usize) -> f64 {
+        let good = 1.0 - 1.0 / (1.0 + snr.ratio());
+        pow(good, frame_bytes as f64)
+    }
+}
+
+/// Noise with less scatter, whose tables are sooner made.
+fn config() -> SimpleConfig {
+    SimpleConfig {
+        noise_sigma: Decibels::from_db(2.0),
+        ..support::config()
+    }
+}
+
+/// A random population with every feature that a pair can have.
+fn population(seed: u64, n: usize) -> (Vec<RadioSpec>, Still) {
+    let mut rng = Stream::new(seed, "population", "test");
+    let errors: [Arc<dyn ErrorModel>; 2] =
+        [cc2420::spec(11, 31).unwrap().error, Arc::new(ByLength)];
+    let mut poses = Vec::new();
+    let specs = (0..n).map(|i| {
+        let p = rng.in_ball(40.0);
+        let yaw = Yaw::new(Angle::from_radians(rng.uniform_in(-3.0..3.0)));
+        poses.push(Pose::new(Position::from_si(p), Attitude::from_yaw(yaw)));
+        let offset = if rng.bernoulli(0.3) {
+            Offset::from_xyz(0.1, 0.0, -0.2)
+        } else {
+            Offset::ZERO
+        };
+        let gain = Decibels::from_db(rng.uniform_in(-3.0..3.0));
+        let antenna: Arc<dyn Antenna> = if rng.bernoulli(0.3) {
+            Arc::new(Patch)
+        } else {
+            Arc::new(Isotropic { gain })
+        };
+        RadioSpec {
+            owner: ModelId(i as u32),
+            key: path_key(&format!("bee-{i}/radio")),
+            error: Arc::clone(&errors[rng.below(2) as usize]),
+            sensitivity: PowerLevel::from_dbm(rng.uniform_in(-95.0..-65.0)),
+            antenna,
+            mount: Mount::new(offset, Attitude::IDENTITY),
+            ..cc2420::spec(11 + rng.below(2) as u8, 3 + rng.below(29) as u8).unwrap()
+        }
+    });
+    let specs = specs.collect();
+    (specs, Still(poses))
+}
+
+/// The same few rounds on a medium: sends, sleeps, wakes, tunes. Everything that can be seen.
+fn play(mut m: SimpleMedium, poses: &Still, seed: u64, sends: usize) -> String {
+    let mut rng = Stream::new(seed, "play", "test");
+    let n = m.radios() as u64;
+    let mut seen = String::new();
+    for second in 1..=4 {
+        for _ in 0..sends {
+            let destination = rng.bernoulli(0.2).then(|| ModelId(rng.below(n) as u32));
+            let payload = vec![rng.below(256) as u8; 1 + rng.below(5) as usize];
+            let radio = rng.below(n) as u32;
+            m.submit(
+                secs(second),
+                Request {
+                    destination,
+                    ..broadcast(radio, &payload)
+                },
+            );
+        }
+        seen += &format!("{:?}\n", round(&mut m, secs(second), poses));
+        for _ in 0..n / 5 {
+            let command = match rng.below(3) {
+                0 => Command::Sleep,
+                1 => Command::Wake,
+                _ => Command::Tune(Channel::ieee802154(11 + rng.below(2) as u8).unwrap()),
+            };
+            m.command(secs(second), RadioId(rng.below(n) as u32), command)
+                .unwrap();
+        }
+    }
+    for radio in (0..n as u32).map(RadioId) {
+        seen += &format!("{:?} {:?}\n", m.counters(radio), m.usage(radio, secs(9)));
+    }
+    seen
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn by_frame_and_by_receiver_agree_to_the_bit(seed: u64, n in 2..90usize, sends in 1..300usize) {
+        let (specs, poses) = population(seed, n);
+        let way = |by_receiver_from| {
+            let config = SimpleConfig { seed, by_receiver_from, ..config() };
+            play(medium(config, specs.clone()), &poses, seed, sends)
+        };
+        prop_assert_eq!(way(1), way(usize::MAX));
+    }
+
+    #[test]
+    fn the_order_of_adding_does_not_matter(seed: u64, n in 2..60usize, sends in 1..80usize) {
+        let (specs, poses) = population(seed, n);
+        let mut order: Vec<usize> = (0..n).collect();
+        Stream::new(seed, "order", "test").shuffle(&mut order);
+        let heard = |order: &[usize]| {
+            let mut m = medium(SimpleConfig { seed, ..config() }, order.iter().map(|&i| specs[i].clone()));
+            let radio = |i| order.iter().position(|&j| j == i).unwrap() as u32;
+            (0..sends).for_each(|k| m.submit(secs(1), broadcast(radio(k % n), &[k as u8])));
+            let heard = round(&mut m, secs(1), &poses);
+            // Receivers by platform instead of by number.
+            let by_owner = heard.iter().map(|&(rx, tx, first, power)| (order[rx as usize], tx, first, power));
+            let mut by_owner: Vec<_> = by_owner.collect();
+            by_owner.sort_unstable();
+            by_owner
+        };
+        let sorted: Vec<usize> = (0..n).collect();
+        prop_assert_eq!(heard(&order), heard(&sorted));
+    }
+}
+
+/// A swarm around the origin, and `more` radios that stand somewhere else.
+fn swarm_with(more: usize, at: DVec3, sends: usize) -> Vec<(u32, u32)> {
+    let mut rng = Stream::new(3, "swarm", "test");
+    let places: Vec<DVec3> = (0..50)
+        .map(|_| rng.in_ball(20.0))
+        .chain((0..more).map(|_| at))
+        .collect();
+    let mut m = medium(support::config(), (0..50 + more).map(support::bee));
+    for k in 0..sends {
+        m.submit(secs(1), broadcast((k % 50) as u32, b"x"));
+    }
+    (50..50 + more).for_each(|radio| m.submit(secs(1), broadcast(radio as u32, b"far")));
+    pairs(&round(&mut m, secs(1), &Still::at(places)))
+}
+
+#[test]
+fn radios_out_of_reach_change_nothing() {
+    // 63 and 64: one more frame turns a round by frame into a round by receiver.
+    for sends in [1, 50, 63, 64] {
+        let alone = swarm_with(0, DVec3::ZERO, sends);
+        assert!(alone.len() > 10);
+        assert_eq!(
+            swarm_with(1, DVec3::X * 1e4, sends),
+            alone,
+            "{sends} frames"
+        );
+        let crowd = swarm_with(100, DVec3::X * 1e4, sends);
+        let near: Vec<_> = crowd.into_iter().filter(|&(rx, _)| rx < 50).collect();
+        assert_eq!(near, alone, "{sends} frames and 100 far away");
+    }
+}
+
+#[test]
+fn another_seed_is_another_world() {
+    let run = |seed| {
+        let (specs, poses) = population(1, 40);
+        let m = medium(SimpleConfig { seed, ..config() }, specs);
+        play(m, &poses, 1, 40)
+    };
+    assert_eq!(run(1), run(1));
+    assert_ne!(run(1), run(2));
+}
+
+#[test]
+fn directed_antennas_turn_with_their_platform() {
+    let facing = |yaw_deg: f64| {
+        let yaw = Yaw::new(Angle::from_degrees(yaw_deg));
+        let at = |east_m, yaw| {
+            Pose::new(
+                Position::from_xyz(east_m, 0.0, 0.0),
+                Attitude::from_yaw(yaw),
+            )
+        };
+        let poses = Still(vec![at(0.0, yaw), at(10.0, Yaw::new(Angle::ZERO))]);
+        let patch = RadioSpec {
+            antenna: Arc::new(Patch),
+            ..support::bee(0)
+        };
+        let mut m = medium(support::quiet(), [patch, support::bee(1)]);
+        m.submit(secs(1), broadcast(0, b"x"));
+        f64::from_bits(round(&mut m, secs(1), &poses)[0].3)
+    };
+    for (yaw_deg, gain_db) in [(0.0, 6.0), (90.0, 0.0), (180.0, -6.0), (60.0, 3.0)] {
+        assert!(
+            (facing(yaw_deg) - (-60.070_085 + gain_db)).abs() < 1e-4,
+            "{yaw_deg} degrees"
+        );
+    }
+}

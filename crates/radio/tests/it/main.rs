@@ -1,0 +1,6 @@
+//! Tests of the radio crate through its public face.
+
+mod agreement;
+mod behaviour;
+mod reference;
+mod support;
