@@ -119,7 +119,7 @@ impl MessageHeader {
 }
 
 /// Channel id and topic of a channel record.
-pub(crate) fn channel<'a>(body: &'a [u8]) -> Option<(u16, &'a str)> {
+pub(crate) fn channel(body: &[u8]) -> Option<(u16, &str)> {
     let mut fields = Fields(body);
     let id = fields.u16()?;
     let _schema = fields.u16()?;

@@ -31,10 +31,14 @@
 //!
 //! # What it costs
 //!
-//! About 45 B a vehicle and tick with [`Precision::Fine`], 75 B with [`Precision::Full`], 17 B
-//! less of each without twists: 1,000 bees at 10 Hz make 1.6 GB an hour, or 2.7 GB. The run's
-//! thread copies 104 B for each; encoding and compression take some 400 ns on another thread. How
-//! often a tick is recorded is the caller's choice.
+//! | bytes a vehicle and tick | [`Precision::Fine`] | [`Precision::Full`] |
+//! |---|---|---|
+//! | poses and twists | 49 | 83 |
+//! | poses only | 30 | 60 |
+//!
+//! 10,000 bees once a second make 29 MB a minute; 1,000 bees at 10 Hz make 1.8 GB an hour. The
+//! run's thread copies 104 B a vehicle and tick, some 35 ns; encoding and compression take some
+//! 400 ns on another thread. How often a tick is recorded is the caller's choice.
 //! `cargo run --release -p simbeeotic-record --example throughput` measures it.
 //!
 //! # What survives

@@ -117,7 +117,8 @@ pub struct RecordStats {
     pub messages: u64,
     /// Ticks taken.
     pub ticks: u64,
-    /// Time for which the run stood still because the writer could not keep up.
+    /// Time for which the run stood still because the writer could not keep up. The last wait,
+    /// for the file to be completed in [`Recorder::finish`], is not counted.
     pub blocked: Duration,
     /// Virtual time of the last tick that is in the file and would survive a `kill -9` now, ns.
     pub safe_until_ns: Option<u64>,

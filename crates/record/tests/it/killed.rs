@@ -1,6 +1,9 @@
 #![cfg(unix)]
 #![expect(clippy::print_stdout, reason = "the child speaks to its parent")]
-#![expect(clippy::disallowed_methods, reason = "the subject is what is lost by the wall clock")]
+#![expect(
+    clippy::disallowed_methods,
+    reason = "the subject is what is lost by the wall clock"
+)]
 
 use crate::{child, swarm};
 use simbeeotic_record::{Recorder, Recording};
