@@ -123,7 +123,11 @@ struct Arguments {
 impl Parse for Arguments {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let name: LitStr = input.parse()?;
-        let mut arguments = Self { name, host: None, java: Vec::new() };
+        let mut arguments = Self {
+            name,
+            host: None,
+            java: Vec::new(),
+        };
         check_name(&arguments.name)?;
         while !input.is_empty() {
             input.parse::<Token![,]>()?;
@@ -146,12 +150,17 @@ impl Parse for Arguments {
 fn check_name(name: &LitStr) -> syn::Result<()> {
     let text = name.value();
     let fits = text.starts_with(|c: char| c.is_ascii_lowercase())
-        && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-')
+        && text
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-')
         && !text.ends_with('-');
     if fits {
         Ok(())
     } else {
-        Err(syn::Error::new(name.span(), "a part's name is kebab-case, such as \"my-bee\""))
+        Err(syn::Error::new(
+            name.span(),
+            "a part's name is kebab-case, such as \"my-bee\"",
+        ))
     }
 }
 
@@ -184,20 +193,33 @@ fn register(kind: &str, arguments: &Arguments, input: &DeriveInput, original: &T
 
 /// The doc comment, one leading space a line removed.
 fn docs(input: &DeriveInput) -> String {
-    let lines = input.attrs.iter().filter_map(|attribute| match &attribute.meta {
-        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-            Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+    let lines = input
+        .attrs
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                Expr::Lit(ExprLit {
+                    lit: Lit::Str(text),
+                    ..
+                }) => Some(text.value()),
+                _ => None,
+            },
             _ => None,
-        },
-        _ => None,
-    });
-    lines.map(|l| l.strip_prefix(' ').unwrap_or(&l).to_owned()).collect::<Vec<_>>().join("\n")
+        });
+    lines
+        .map(|l| l.strip_prefix(' ').unwrap_or(&l).to_owned())
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 /// Where the model API lives for the crate being compiled: users see it through the facade.
 fn home() -> String {
-    const HOUSE: [&str; 4] =
-        ["simbeeotic-model", "simbeeotic-models", "simbeeotic-record", "simbeeotic-scenario"];
+    const HOUSE: [&str; 4] = [
+        "simbeeotic-model",
+        "simbeeotic-models",
+        "simbeeotic-record",
+        "simbeeotic-scenario",
+    ];
     match std::env::var("CARGO_PKG_NAME") {
         Ok(name) if HOUSE.contains(&name.as_str()) => "::simbeeotic_model".to_owned(),
         _ => "::simbeeotic::model".to_owned(),

@@ -118,7 +118,11 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
         period: Option<Time>,
     ) -> TimerHandle {
         let call = self.call(handler);
-        self.declared.push(Declared { call, first, period });
+        self.declared.push(Declared {
+            call,
+            first,
+            period,
+        });
         // Timer 0 is the host's control law.
         TimerHandle::new(self.declared.len() as u32)
     }
@@ -136,7 +140,11 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
     /// # Errors
     /// The sensor's readings are of another type.
     pub fn optional_sensor<R: 'static>(&self, name: &str) -> Result<Option<Handle<R>>, BuildError> {
-        if self.gear.has_sensor(name) { self.gear.sensor(name).map(Some) } else { Ok(None) }
+        if self.gear.has_sensor(name) {
+            self.gear.sensor(name).map(Some)
+        } else {
+            Ok(None)
+        }
     }
 
     /// The platform's radio, the first if there are several.

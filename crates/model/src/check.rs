@@ -8,7 +8,11 @@ use std::ops::RangeInclusive;
 /// # Errors
 /// It is not; the error points at `key`.
 pub fn positive(key: &'static str, value: f64) -> Result<(), BuildError> {
-    if value > 0.0 { Ok(()) } else { Err(BuildError::parameter(key, "must be more than zero")) }
+    if value > 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::parameter(key, "must be more than zero"))
+    }
 }
 
 /// `value` must be zero or more.
@@ -16,14 +20,22 @@ pub fn positive(key: &'static str, value: f64) -> Result<(), BuildError> {
 /// # Errors
 /// It is not; the error points at `key`.
 pub fn at_least_zero(key: &'static str, value: f64) -> Result<(), BuildError> {
-    if value >= 0.0 { Ok(()) } else { Err(BuildError::parameter(key, "must be zero or more")) }
+    if value >= 0.0 {
+        Ok(())
+    } else {
+        Err(BuildError::parameter(key, "must be zero or more"))
+    }
 }
 
 /// `value` must lie in `range`.
 ///
 /// # Errors
 /// It does not; the error points at `key`.
-pub fn in_range(key: &'static str, value: f64, range: RangeInclusive<f64>) -> Result<(), BuildError> {
+pub fn in_range(
+    key: &'static str,
+    value: f64,
+    range: RangeInclusive<f64>,
+) -> Result<(), BuildError> {
     if range.contains(&value) {
         Ok(())
     } else {

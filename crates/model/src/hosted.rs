@@ -19,9 +19,16 @@ pub(crate) struct Hosted<B, H: Host> {
 }
 
 impl<B: Behavior<H>, H: Host> Hosted<B, H> {
-    pub(crate) fn build(params: B::Params, instance: &mut Instance<'_>) -> Result<Self, BuildError> {
+    pub(crate) fn build(
+        params: B::Params,
+        instance: &mut Instance<'_>,
+    ) -> Result<Self, BuildError> {
         let host = H::assemble(instance, B::body(&params))?;
-        let mut kit = Kit::new(Arc::clone(&instance.gear), Arc::clone(&instance.path), instance.seed);
+        let mut kit = Kit::new(
+            Arc::clone(&instance.gear),
+            Arc::clone(&instance.path),
+            instance.seed,
+        );
         let behavior = B::build(params, &mut kit)?;
         match kit.fault {
             Some(fault) => Err(fault),
@@ -45,7 +52,12 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
     }
 
     fn wake(&mut self, wake: Wake<'_>, cx: &mut Cx<'_>) {
-        let Self { behavior, host, handlers, .. } = self;
+        let Self {
+            behavior,
+            host,
+            handlers,
+            ..
+        } = self;
         match wake {
             Wake::Timer(CONTROL) => {
                 behavior.on_control(&mut host.view(cx.reborrow()));

@@ -60,9 +60,16 @@ impl GearPlan {
         let (id, gives) = self.sensors[index].factory.reading();
         if id != TypeId::of::<R>() {
             let wanted = std::any::type_name::<R>();
-            return Err(BuildError::WrongReading { name: name.to_owned(), wanted, gives });
+            return Err(BuildError::WrongReading {
+                name: name.to_owned(),
+                wanted,
+                gives,
+            });
         }
-        Ok(Handle { index: index as u16, reading: PhantomData })
+        Ok(Handle {
+            index: index as u16,
+            reading: PhantomData,
+        })
     }
 
     pub(crate) fn radio_named(&self, name: &str) -> Result<RadioHandle, BuildError> {
@@ -114,16 +121,21 @@ impl Instance<'_> {
 
     /// The vehicle that the scenario chose.
     pub(crate) fn vehicle(&self) -> Result<Box<dyn AnyVehicle>, BuildError> {
-        let factory = self
-            .vehicle
-            .ok_or_else(|| BuildError::other("it flies and has no vehicle; add a [model.vehicle]"))?;
-        factory.build(&VehicleKit { seed: self.seed, path: &self.path })
+        let factory = self.vehicle.ok_or_else(|| {
+            BuildError::other("it flies and has no vehicle; add a [model.vehicle]")
+        })?;
+        factory.build(&VehicleKit {
+            seed: self.seed,
+            path: &self.path,
+        })
     }
 
     /// An error if the scenario gave a vehicle to something that cannot use one.
     pub(crate) fn refuse_vehicle(&self, what: &str) -> Result<(), BuildError> {
         match self.vehicle {
-            Some(_) => Err(BuildError::other(format!("{what} has no use for a vehicle"))),
+            Some(_) => Err(BuildError::other(format!(
+                "{what} has no use for a vehicle"
+            ))),
             None => Ok(()),
         }
     }
@@ -133,21 +145,28 @@ impl Instance<'_> {
         if self.gear.sensors.is_empty() && self.gear.radios.is_empty() {
             Ok(())
         } else {
-            Err(BuildError::other(format!("{what} carries no sensors or radios")))
+            Err(BuildError::other(format!(
+                "{what} carries no sensors or radios"
+            )))
         }
     }
 
     pub(crate) fn sensors(&self) -> Result<Box<[Box<dyn AnySensor>]>, BuildError> {
         let sensors = self.gear.sensors.iter().map(|plan| {
             let path = format!("{}/{}", self.path, plan.name);
-            plan.factory.build(plan.mount, simbeeotic_kernel::Stream::new(self.seed, &path, "noise"))
+            plan.factory.build(
+                plan.mount,
+                simbeeotic_kernel::Stream::new(self.seed, &path, "noise"),
+            )
         });
         sensors.collect()
     }
 
     /// Puts the platform's radios on the air.
     pub(crate) fn add_radios(&mut self) -> Result<(), BuildError> {
-        let Some(medium) = self.medium.as_deref_mut() else { return Ok(()) };
+        let Some(medium) = self.medium.as_deref_mut() else {
+            return Ok(());
+        };
         for plan in &self.gear.radios {
             let path = format!("{}/{}", self.path, plan.name);
             let spec = RadioSpec {

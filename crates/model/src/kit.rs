@@ -21,14 +21,25 @@ pub struct Kit<B, H: Host = Flying> {
 
 impl<B, H: Host> Kit<B, H> {
     pub(crate) fn new(gear: Arc<GearPlan>, path: Arc<str>, seed: u64) -> Self {
-        Self { gear, path, seed, handlers: Vec::new(), declared: Vec::new(), fault: None }
+        Self {
+            gear,
+            path,
+            seed,
+            handlers: Vec::new(),
+            declared: Vec::new(),
+            fault: None,
+        }
     }
 
     /// Timers cannot fail where they are declared; the first that makes no sense fails the build.
     pub(crate) fn check_time(&mut self, what: &str, time: Time, zero_allowed: bool) {
         let ok = time.is_finite() && (time > Time::ZERO || zero_allowed && time == Time::ZERO);
         if !ok && self.fault.is_none() {
-            let least = if zero_allowed { "zero or more" } else { "more than zero" };
+            let least = if zero_allowed {
+                "zero or more"
+            } else {
+                "more than zero"
+            };
             let message = format!("a timer's {what} of {time}: it must be {least}");
             self.fault = Some(BuildError::other(message));
         }
@@ -97,13 +108,20 @@ pub enum BuildError {
 }
 
 fn on_board(names: &[String]) -> String {
-    if names.is_empty() { "nothing".to_owned() } else { list(names) }
+    if names.is_empty() {
+        "nothing".to_owned()
+    } else {
+        list(names)
+    }
 }
 
 impl BuildError {
     /// Parameter `key` is out of range; `message` continues the sentence: "must be positive".
     pub fn parameter(key: &'static str, message: impl Into<String>) -> Self {
-        Self::Parameter { key, message: message.into() }
+        Self::Parameter {
+            key,
+            message: message.into(),
+        }
     }
 
     /// Any other reason.

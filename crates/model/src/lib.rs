@@ -58,8 +58,7 @@ pub use vehicle::{Setpoint, Vehicle, VehicleKit};
 pub use view::{Origin, Truth, View};
 
 pub use simbeeotic_macros::{
-    antenna, behavior, choice, component, params, propagation, radio, sensor,
-    vehicle, weather,
+    antenna, behavior, choice, component, params, propagation, radio, sensor, vehicle, weather,
 };
 
 pub use inventory;
@@ -80,12 +79,12 @@ pub mod prelude {
     pub use crate::radio::{Inbox, Packet};
     pub use crate::units::{
         Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,
-        ForceVec, Frequency, Heading, Length, Mass, Offset, Pose, Position, PowerLevel, Rate, Speed,
-        Time, Twist, Velocity, Yaw,
+        ForceVec, Frequency, Heading, Length, Mass, Offset, Pose, Position, PowerLevel, Rate,
+        Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
-        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor, TimerHandle,
-        Touch, Truth,
+        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor,
+        TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

@@ -67,12 +67,17 @@ impl Population {
 
     /// The models nested in `parent`, by id.
     pub fn children(&self, parent: ModelId) -> impl Iterator<Item = ModelId> {
-        self.iter().filter(move |(_, m)| m.parent == Some(parent)).map(|(id, _)| id)
+        self.iter()
+            .filter(move |(_, m)| m.parent == Some(parent))
+            .map(|(id, _)| id)
     }
 
     /// All models, by id.
     pub fn iter(&self) -> impl Iterator<Item = (ModelId, &Member)> {
-        self.members.iter().enumerate().map(|(i, m)| (ModelId(i as u32), m))
+        self.members
+            .iter()
+            .enumerate()
+            .map(|(i, m)| (ModelId(i as u32), m))
     }
 }
 
@@ -83,15 +88,30 @@ mod tests {
     #[test]
     fn models_are_found_by_id_path_and_kind() {
         let mut all = Population::default();
-        let member = |path: &str, kind, parent| Member { path: path.into(), kind, parent };
-        let hive = all.add(member("hive", "simple-hive", None)).expect("free path");
-        let bee = all.add(member("hive/bee", "inert-bee", Some(hive))).expect("free path");
+        let member = |path: &str, kind, parent| Member {
+            path: path.into(),
+            kind,
+            parent,
+        };
+        let hive = all
+            .add(member("hive", "simple-hive", None))
+            .expect("free path");
+        let bee = all
+            .add(member("hive/bee", "inert-bee", Some(hive)))
+            .expect("free path");
         assert_eq!(all.find("hive/bee"), Some(bee));
-        assert_eq!(all.find("unknown"), None, "the original threw a null pointer exception");
+        assert_eq!(
+            all.find("unknown"),
+            None,
+            "the original threw a null pointer exception"
+        );
         assert_eq!(all.of_kind("inert-bee"), [bee]);
         assert!(all.of_kind("unknown").is_empty());
         assert_eq!(all.children(hive).collect::<Vec<_>>(), [bee]);
         assert_eq!(all.path(bee), "hive/bee");
-        assert!(all.add(member("hive", "inert-bee", None)).is_none(), "a path is taken once");
+        assert!(
+            all.add(member("hive", "inert-bee", None)).is_none(),
+            "a path is taken once"
+        );
     }
 }

@@ -187,7 +187,13 @@ pub trait Radio: Sized + 'static {
 
 impl Part {
     const fn new<P: Params>(label: Label, kind: Kind, make: Make) -> Self {
-        Self { label, kind, schema: schema::<P>, defaults: defaults::<P>, make }
+        Self {
+            label,
+            kind,
+            schema: schema::<P>,
+            defaults: defaults::<P>,
+            make,
+        }
     }
 
     /// A behaviour on its host. Called by `#[behavior]`.
@@ -256,7 +262,10 @@ struct Recipe<P> {
 
 impl<P: Params> Recipe<P> {
     fn read(node: &Node) -> Result<Self, Vec<Fault>> {
-        Ok(Self { params: read_params(node)?, node: node.clone() })
+        Ok(Self {
+            params: read_params(node)?,
+            node: node.clone(),
+        })
     }
 
     /// A fault of building, at the key that causes it.
@@ -271,7 +280,10 @@ fn place(node: &Node, error: BuildError) -> Fault {
         BuildError::Placed(fault) => fault,
         BuildError::Parameter { key, .. } => {
             let entry = node.as_table().and_then(|table| table.get(key));
-            Fault::error(entry.map_or(node.span, |value| value.span), error.to_string())
+            Fault::error(
+                entry.map_or(node.span, |value| value.span),
+                error.to_string(),
+            )
         }
         _ => Fault::error(node.span, error.to_string()),
     }
@@ -287,10 +299,16 @@ fn make_radio<R: Radio>(node: &Node) -> Result<RadioSpec, Vec<Fault>> {
     R::spec(recipe.params.clone()).map_err(|e| vec![recipe.place(e)])
 }
 
-struct BehaviorFactory<B: Behavior<H>, H: Host>(Recipe<B::Params>, std::marker::PhantomData<fn() -> H>);
+struct BehaviorFactory<B: Behavior<H>, H: Host>(
+    Recipe<B::Params>,
+    std::marker::PhantomData<fn() -> H>,
+);
 
 fn make_model<B: Behavior<H>, H: Host>(node: &Node) -> Result<Arc<dyn ModelFactory>, Vec<Fault>> {
-    Ok(Arc::new(BehaviorFactory::<B, H>(Recipe::read(node)?, std::marker::PhantomData)))
+    Ok(Arc::new(BehaviorFactory::<B, H>(
+        Recipe::read(node)?,
+        std::marker::PhantomData,
+    )))
 }
 
 impl<B: Behavior<H>, H: Host> ModelFactory for BehaviorFactory<B, H> {
@@ -329,12 +347,19 @@ fn make_sensor<S: Sensor>(node: &Node) -> Result<Arc<dyn SensorFactory>, Vec<Fau
 
 impl<S: Sensor> SensorFactory for MakeSensor<S> {
     fn reading(&self) -> (TypeId, &'static str) {
-        (TypeId::of::<S::Reading>(), std::any::type_name::<S::Reading>())
+        (
+            TypeId::of::<S::Reading>(),
+            std::any::type_name::<S::Reading>(),
+        )
     }
 
     fn build(&self, mount: Mount, stream: Stream) -> Result<Box<dyn AnySensor>, BuildError> {
         match S::build(self.0.params.clone()) {
-            Ok(sensor) => Ok(Box::new(Mounted { sensor, mount, stream })),
+            Ok(sensor) => Ok(Box::new(Mounted {
+                sensor,
+                mount,
+                stream,
+            })),
             Err(error) => Err(BuildError::Placed(self.0.place(error))),
         }
     }
@@ -381,17 +406,32 @@ pub fn find(kind: Kind, name: &str) -> Option<&'static Part> {
 /// No part of this kind has this name.
 pub fn find_node(kind: Kind, node: &Node) -> Result<&'static Part, Fault> {
     let Some(name) = node.as_str() else {
-        let message = format!("{} where the name of a {} is wanted", node.value.kind(), kind.name());
+        let message = format!(
+            "{} where the name of a {} is wanted",
+            node.value.kind(),
+            kind.name()
+        );
         return Err(Fault::error(node.span, message));
     };
     find(kind, name).ok_or_else(|| {
-        let fault = Fault::unknown(node.span, kind.name(), name, of_kind(kind).map(|p| p.label.name));
-        let elsewhere: Vec<_> =
-            parts().iter().filter(|p| p.label.name == name).map(|p| p.kind.name()).collect();
+        let fault = Fault::unknown(
+            node.span,
+            kind.name(),
+            name,
+            of_kind(kind).map(|p| p.label.name),
+        );
+        let elsewhere: Vec<_> = parts()
+            .iter()
+            .filter(|p| p.label.name == name)
+            .map(|p| p.kind.name())
+            .collect();
         if elsewhere.is_empty() {
             fault
         } else {
-            fault.help(format!("`{name}` is a {}", list(&elsewhere).replace('`', "")))
+            fault.help(format!(
+                "`{name}` is a {}",
+                list(&elsewhere).replace('`', "")
+            ))
         }
     })
 }

@@ -204,7 +204,10 @@ impl Swarm {
 
     pub(crate) fn pose_of(&self, id: ModelId, now: SimTime) -> Option<Pose> {
         let motion = self.physics.motion(self.body_of(id)?);
-        Some(Pose { position: Position::from_si(motion.position(now)), attitude: Attitude::from_unit_quat(motion.attitude(now)) })
+        Some(Pose {
+            position: Position::from_si(motion.position(now)),
+            attitude: Attitude::from_unit_quat(motion.attitude(now)),
+        })
     }
 
     pub(crate) fn twist_of(&self, id: ModelId, now: SimTime) -> Option<Twist> {
@@ -216,7 +219,9 @@ impl Swarm {
     }
 
     pub(crate) fn radius_of(&self, id: ModelId) -> Option<Length> {
-        Some(Length::si(self.physics.motion(self.body_of(id)?).radius_m()))
+        Some(Length::si(
+            self.physics.motion(self.body_of(id)?).radius_m(),
+        ))
     }
 
     pub(crate) fn gravity(&self) -> Acceleration {
@@ -282,7 +287,9 @@ impl Swarm {
     /// Puts the frames that are due through the medium.
     fn open_medium(&mut self, round: &mut Opening<'_>) {
         self.listeners.clear();
-        let Some(mut medium) = self.medium.take() else { return };
+        let Some(mut medium) = self.medium.take() else {
+            return;
+        };
         let now = round.now();
         let due = medium.next_time().is_some_and(|next| next <= now);
         let start = due.then(crate::watch::now);
@@ -338,7 +345,9 @@ impl Poses for Still<'_> {
 
     fn position(&self, owner: ModelId) -> Position {
         let body = self.swarm.body_of(owner);
-        body.map_or(Position::ZERO, |b| Position::from_si(self.swarm.physics.motion(b).position(self.now)))
+        body.map_or(Position::ZERO, |b| {
+            Position::from_si(self.swarm.physics.motion(b).position(self.now))
+        })
     }
 
     fn generation(&self) -> u64 {
@@ -379,11 +388,20 @@ impl Domain for Swarm {
     fn run(&self, agent: &mut Agent, visit: &Visit<'_>, out: &mut Outbox<Effect>) {
         let Agent { model, core } = agent;
         let mut own = None;
-        let mut cx = Cx { now: visit.now, swarm: self, core, own: &mut own, out };
+        let mut cx = Cx {
+            now: visit.now,
+            swarm: self,
+            core,
+            own: &mut own,
+            out,
+        };
 
         if !self.touches.is_empty() {
             let first = self.touches.partition_point(|(id, _)| *id < visit.id);
-            for (_, touch) in self.touches[first..].iter().take_while(|(id, _)| *id == visit.id) {
+            for (_, touch) in self.touches[first..]
+                .iter()
+                .take_while(|(id, _)| *id == visit.id)
+            {
                 model.wake(ModelWake::Touch(touch), &mut cx);
             }
         }
@@ -413,22 +431,39 @@ impl Domain for Swarm {
                 }
             }
             Effect::Command(radio, command) => {
-                let result = self.medium.as_mut().map(|m| m.command(cx.now(), radio, command));
+                let result = self
+                    .medium
+                    .as_mut()
+                    .map(|m| m.command(cx.now(), radio, command));
                 if let Some(Err(error)) = result {
                     cx.fault(error.to_string());
                 }
             }
-            Effect::Tell { receiver, at, message } => {
+            Effect::Tell {
+                receiver,
+                at,
+                message,
+            } => {
                 let slot = self.mail.put(message);
                 cx.schedule_for(id, receiver, at, Wake::new(wake::TELL, slot));
             }
             Effect::Log(text) => {
                 let time = cx.now();
-                self.mark(|| Mark::Log { time, model: id, text });
+                self.mark(|| Mark::Log {
+                    time,
+                    model: id,
+                    text,
+                });
             }
             Effect::Metric { name, value, unit } => {
                 let time = cx.now();
-                self.mark(|| Mark::Metric { time, model: id, name, value, unit });
+                self.mark(|| Mark::Metric {
+                    time,
+                    model: id,
+                    name,
+                    value,
+                    unit,
+                });
             }
             Effect::Read(slot) => self.mail.clear(slot),
         }
@@ -459,7 +494,9 @@ impl Swarm {
 
     fn deliver(&self, model: &mut dyn Model, wake: Wake, cx: &mut Cx<'_>) {
         if wake.tag & Wake::TIMER != 0 {
-            let Some(fired) = cx.core.timers.fired(wake) else { return };
+            let Some(fired) = cx.core.timers.fired(wake) else {
+                return;
+            };
             model.wake(ModelWake::Timer(TimerHandle::new(fired.timer)), cx);
             if let Some((at, wake)) = cx.core.timers.rearm(fired) {
                 cx.out.schedule(at, cx.core.id, wake);

@@ -27,7 +27,10 @@ pub struct Setpoint {
 
 impl Default for Setpoint {
     fn default() -> Self {
-        Self { velocity: Velocity::ZERO, hovering: true }
+        Self {
+            velocity: Velocity::ZERO,
+            hovering: true,
+        }
     }
 }
 

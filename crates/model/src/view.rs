@@ -47,7 +47,9 @@ impl Truth<'_> {
     /// feels. Zero in free fall, one g upwards at rest.
     pub fn specific_force(&self) -> Accel<Flu> {
         let lift = glam::DVec3::new(0.0, 0.0, self.swarm.gravity().get());
-        self.pose.attitude.unrotate(Accel::from_si(self.acceleration.si() + lift))
+        self.pose
+            .attitude
+            .unrotate(Accel::from_si(self.acceleration.si() + lift))
     }
 
     /// Where the sensor sits on its host.
@@ -77,7 +79,8 @@ impl Truth<'_> {
 
     /// All other models whose body's centre is within `radius` of the host, by id.
     pub fn neighbors(&self, radius: Length) -> Vec<ModelId> {
-        self.swarm.neighbors(self.pose.position, radius, self.now, self.host)
+        self.swarm
+            .neighbors(self.pose.position, radius, self.now, self.host)
     }
 
     /// The world's objects.
@@ -132,7 +135,11 @@ impl<'a> View<'a> {
     /// The models that have a body, by id.
     pub fn bodies(&self) -> impl Iterator<Item = ModelId> + 'a {
         let swarm = self.swarm;
-        swarm.population.iter().map(|(id, _)| id).filter(|id| swarm.body_of(*id).is_some())
+        swarm
+            .population
+            .iter()
+            .map(|(id, _)| id)
+            .filter(|id| swarm.body_of(*id).is_some())
     }
 
     /// The pose of a model's body now.

@@ -3,7 +3,10 @@
 use std::time::Instant;
 
 /// A point of wall-clock time.
-#[allow(clippy::disallowed_methods, reason = "measures the simulator, not the simulation")]
+#[allow(
+    clippy::disallowed_methods,
+    reason = "measures the simulator, not the simulation"
+)]
 pub(crate) fn now() -> Instant {
     Instant::now()
 }

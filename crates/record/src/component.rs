@@ -6,8 +6,8 @@ use simbeeotic_model::check::positive;
 use simbeeotic_model::kernel::ModelId;
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
-    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, View, choice, component,
-    params,
+    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, View, choice,
+    component, params,
 };
 use std::path::PathBuf;
 
@@ -28,8 +28,8 @@ pub struct RecorderComponent {
 pub struct RecorderParams {
     /// The file to write. An older one is replaced.
     pub path: PathBuf,
-    /// Virtual time between two records of all poses. A pose takes about 25 bytes, so 10,000
-    /// bodies once a second are 15 MB a virtual minute.
+    /// Virtual time between two records of all bodies. A body takes about 50 bytes each time (30
+    /// without twists), so 10,000 bodies once a second are 29 MB a virtual minute.
     pub period: Time,
     /// Whether velocities and body rates are recorded too.
     pub twists: bool,
@@ -68,7 +68,11 @@ impl FromParams for RecorderComponent {
         if params.path.as_os_str().is_empty() {
             return Err(BuildError::parameter("path", "must name a file"));
         }
-        Ok(Self { params, bodies: Vec::new(), recorder: None })
+        Ok(Self {
+            params,
+            bodies: Vec::new(),
+            recorder: None,
+        })
     }
 }
 
@@ -110,7 +114,9 @@ impl Component for RecorderComponent {
     }
 
     fn observe(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
-        let Some(recorder) = &mut self.recorder else { return Ok(()) };
+        let Some(recorder) = &mut self.recorder else {
+            return Ok(());
+        };
         if self.params.events {
             record_marks(recorder, view).map_err(failed)?;
         }
@@ -119,13 +125,18 @@ impl Component for RecorderComponent {
     }
 
     fn finish(&mut self, view: &View<'_>, summary: &Summary) -> Result<Vec<Note>, ComponentError> {
-        let Some(mut recorder) = self.recorder.take() else { return Ok(Vec::new()) };
+        let Some(mut recorder) = self.recorder.take() else {
+            return Ok(Vec::new());
+        };
         if self.params.events {
             record_marks(&mut recorder, view).map_err(failed)?;
         }
         let summary = serde_json::to_value(summary).unwrap_or_default();
         let stats = recorder.finish(&summary).map_err(failed)?;
-        Ok(vec![Note { key: "recording".to_owned(), text: describe(&self.params.path, &stats) }])
+        Ok(vec![Note {
+            key: "recording".to_owned(),
+            text: describe(&self.params.path, &stats),
+        }])
     }
 }
 
@@ -139,11 +150,18 @@ fn describe(path: &std::path::Path, stats: &RecordStats) -> String {
         s if s >= 0.01 => format!("; the run waited {s:.2} s for it"),
         _ => String::new(),
     };
-    format!("{}, {megabytes:.1} MB, {} ticks{blocked}", path.display(), stats.ticks)
+    format!(
+        "{}, {megabytes:.1} MB, {} ticks{blocked}",
+        path.display(),
+        stats.ticks
+    )
 }
 
 fn sample(view: &View<'_>, id: ModelId) -> Sample {
-    let (pose, twist) = (view.pose(id).unwrap_or_default(), view.twist(id).unwrap_or_default());
+    let (pose, twist) = (
+        view.pose(id).unwrap_or_default(),
+        view.twist(id).unwrap_or_default(),
+    );
     let q = pose.attitude.quat();
     Sample {
         position_m: pose.position.si().to_array(),
@@ -161,7 +179,11 @@ fn record_marks(recorder: &mut Recorder, view: &View<'_>) -> Result<(), RecordEr
                 time_ns: time.nanos(),
                 kind: "contact".to_owned(),
                 paths: std::iter::once(*a).chain(*b).map(path).collect(),
-                text: if b.is_none() { "ground".to_owned() } else { String::new() },
+                text: if b.is_none() {
+                    "ground".to_owned()
+                } else {
+                    String::new()
+                },
             })?,
             Mark::Log { time, model, text } => recorder.log(LogEntry {
                 time_ns: time.nanos(),
@@ -169,7 +191,13 @@ fn record_marks(recorder: &mut Recorder, view: &View<'_>) -> Result<(), RecordEr
                 path: path(*model),
                 text: text.clone(),
             })?,
-            Mark::Metric { time, model, name, value, unit } => recorder.metrics(Metrics {
+            Mark::Metric {
+                time,
+                model,
+                name,
+                value,
+                unit,
+            } => recorder.metrics(Metrics {
                 time_ns: time.nanos(),
                 values: vec![Metric {
                     name: format!("{}/{name}", path(*model)),

@@ -59,6 +59,7 @@
 //! `sink` (the file); then `frame` (bytes to records), `index` (where things are), `messages`,
 //! `ticks`.
 
+pub mod component;
 pub mod export;
 
 mod chunk;

@@ -66,7 +66,8 @@ pub fn run_text(text: &str) -> Result<Run, Error> {
 }
 
 fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
-    let loaded = loaded.map_err(|r| Error::Scenario(render::faults(&r.faults, &r.sources, false)))?;
+    let loaded =
+        loaded.map_err(|r| Error::Scenario(render::faults(&r.faults, &r.sources, false)))?;
     let setup: Setup = loaded
         .setup()
         .map_err(|faults| Error::Scenario(render::faults(&faults, loaded.sources(), false)))?;
@@ -74,6 +75,9 @@ fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
     let outcome = simulation.run();
     match outcome.error {
         Some(error) => Err(error.into()),
-        None => Ok(Run { simulation, summary: outcome.summary }),
+        None => Ok(Run {
+            simulation,
+            summary: outcome.summary,
+        }),
     }
 }

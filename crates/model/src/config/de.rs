@@ -46,12 +46,20 @@ impl std::error::Error for ReadError {}
 
 impl de::Error for ReadError {
     fn custom<T: fmt::Display>(message: T) -> Self {
-        Self { span: None, message: message.to_string(), help: None }
+        Self {
+            span: None,
+            message: message.to_string(),
+            help: None,
+        }
     }
 
     fn unknown_field(field: &str, expected: &'static [&'static str]) -> Self {
         let fault = Fault::unknown(None, "key", field, expected.iter().copied());
-        Self { span: None, message: fault.message, help: fault.help }
+        Self {
+            span: None,
+            message: fault.message,
+            help: fault.help,
+        }
     }
 
     fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {
@@ -62,11 +70,19 @@ impl de::Error for ReadError {
             }
             other => other,
         };
-        Self { span: None, message: fault.message, help }
+        Self {
+            span: None,
+            message: fault.message,
+            help,
+        }
     }
 
     fn missing_field(field: &'static str) -> Self {
-        Self { span: None, message: format!("`{field}` is missing here"), help: None }
+        Self {
+            span: None,
+            message: format!("`{field}` is missing here"),
+            help: None,
+        }
     }
 }
 
@@ -122,7 +138,10 @@ impl<'de> Deserializer<'de> for &'de Node {
             Value::Table(Table { entries }) if entries.len() == 1 => {
                 visitor.visit_enum(Tagged(&entries[0].0, &entries[0].1))
             }
-            other => Err(de::Error::custom(format!("{} where one choice is wanted", other.kind()))),
+            other => Err(de::Error::custom(format!(
+                "{} where one choice is wanted",
+                other.kind()
+            ))),
         }
         .map_err(|e: ReadError| e.or_at(self.span))
     }
@@ -140,7 +159,10 @@ struct Entries<'de> {
 
 impl<'de> Entries<'de> {
     fn new(table: &'de Table) -> Self {
-        Self { rest: table.entries.iter(), value: None }
+        Self {
+            rest: table.entries.iter(),
+            value: None,
+        }
     }
 }
 
@@ -151,17 +173,18 @@ impl<'de> MapAccess<'de> for Entries<'de> {
         &mut self,
         seed: K,
     ) -> Result<Option<K::Value>, ReadError> {
-        let Some((key, node)) = self.rest.next() else { return Ok(None) };
+        let Some((key, node)) = self.rest.next() else {
+            return Ok(None);
+        };
         self.value = Some(node);
         let text: de::value::BorrowedStrDeserializer<'de, ReadError> =
             de::value::BorrowedStrDeserializer::new(&key.text);
-        seed.deserialize(text).map(Some).map_err(|e| e.or_at(key.span))
+        seed.deserialize(text)
+            .map(Some)
+            .map_err(|e| e.or_at(key.span))
     }
 
-    fn next_value_seed<V: DeserializeSeed<'de>>(
-        &mut self,
-        seed: V,
-    ) -> Result<V::Value, ReadError> {
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, ReadError> {
         match self.value.take() {
             Some(node) => seed.deserialize(node).map_err(|e| e.or_at(node.span)),
             None => Err(de::Error::custom("a value was asked for before its key")),
@@ -178,7 +201,10 @@ impl<'de> SeqAccess<'de> for &mut Elements<'de> {
         &mut self,
         seed: T,
     ) -> Result<Option<T::Value>, ReadError> {
-        self.0.next().map(|n| seed.deserialize(n).map_err(|e| e.or_at(n.span))).transpose()
+        self.0
+            .next()
+            .map(|n| seed.deserialize(n).map_err(|e| e.or_at(n.span)))
+            .transpose()
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -199,7 +225,9 @@ impl<'de> EnumAccess<'de> for Tagged<'de> {
     ) -> Result<(V::Value, &'de Node), ReadError> {
         let text: de::value::BorrowedStrDeserializer<'de, ReadError> =
             de::value::BorrowedStrDeserializer::new(&self.0.text);
-        let variant = seed.deserialize(text).map_err(|e: ReadError| e.or_at(self.0.span))?;
+        let variant = seed
+            .deserialize(text)
+            .map_err(|e: ReadError| e.or_at(self.0.span))?;
         Ok((variant, self.1))
     }
 }
@@ -208,14 +236,22 @@ impl<'de> VariantAccess<'de> for &'de Node {
     type Error = ReadError;
 
     fn unit_variant(self) -> Result<(), ReadError> {
-        Err(ReadError { span: Some(self.span), message: "this choice has no value".into(), help: None })
+        Err(ReadError {
+            span: Some(self.span),
+            message: "this choice has no value".into(),
+            help: None,
+        })
     }
 
     fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, ReadError> {
         seed.deserialize(self)
     }
 
-    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, ReadError> {
+    fn tuple_variant<V: Visitor<'de>>(
+        self,
+        _len: usize,
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
         self.deserialize_any(visitor)
     }
 

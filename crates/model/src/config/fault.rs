@@ -30,17 +30,28 @@ pub struct Fault {
 impl Fault {
     /// An error at `span`.
     pub fn error(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
-        Self { level: Level::Error, span: span.into(), message: message.into(), help: None }
+        Self {
+            level: Level::Error,
+            span: span.into(),
+            message: message.into(),
+            help: None,
+        }
     }
 
     /// A warning at `span`.
     pub fn warning(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
-        Self { level: Level::Warning, ..Self::error(span, message) }
+        Self {
+            level: Level::Warning,
+            ..Self::error(span, message)
+        }
     }
 
     /// A note at `span`.
     pub fn note(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
-        Self { level: Level::Note, ..Self::error(span, message) }
+        Self {
+            level: Level::Note,
+            ..Self::error(span, message)
+        }
     }
 
     /// The same fault with a hint.
@@ -74,5 +85,9 @@ impl Fault {
 
 /// Words as `` `a`, `b`, `c` ``.
 pub fn list<S: AsRef<str>>(words: &[S]) -> String {
-    words.iter().map(|w| format!("`{}`", w.as_ref())).collect::<Vec<_>>().join(", ")
+    words
+        .iter()
+        .map(|w| format!("`{}`", w.as_ref()))
+        .collect::<Vec<_>>()
+        .join(", ")
 }

@@ -64,7 +64,10 @@ impl Sources {
 
     /// Adds a text and returns the id that its spans carry.
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<Arc<str>>) -> SourceId {
-        self.0.push(Source { name: name.into(), text: text.into() });
+        self.0.push(Source {
+            name: name.into(),
+            text: text.into(),
+        });
         SourceId(self.0.len() as u32 - 1)
     }
 
@@ -187,12 +190,18 @@ pub struct Table {
 impl Table {
     /// The value of `key`.
     pub fn get(&self, key: &str) -> Option<&Node> {
-        self.entries.iter().find(|(k, _)| k.text == key).map(|(_, node)| node)
+        self.entries
+            .iter()
+            .find(|(k, _)| k.text == key)
+            .map(|(_, node)| node)
     }
 
     /// The value of `key`, to change.
     pub fn get_mut(&mut self, key: &str) -> Option<&mut Node> {
-        self.entries.iter_mut().find(|(k, _)| k.text == key).map(|(_, node)| node)
+        self.entries
+            .iter_mut()
+            .find(|(k, _)| k.text == key)
+            .map(|(_, node)| node)
     }
 
     /// Key and value of `key`.
@@ -216,7 +225,13 @@ impl Table {
 
     /// Sets `key` with the key's place taken from the value.
     pub fn set(&mut self, key: &str, node: Node) {
-        self.insert(Key { text: key.to_owned(), span: node.span }, node);
+        self.insert(
+            Key {
+                text: key.to_owned(),
+                span: node.span,
+            },
+            node,
+        );
     }
 
     /// The keys, in order.
@@ -236,11 +251,22 @@ mod tests {
 
     #[test]
     fn lines_and_columns_count_from_one_in_characters() {
-        let source = Source { name: "x".into(), text: "ab\nzü = 1\n".into() };
+        let source = Source {
+            name: "x".into(),
+            text: "ab\nzü = 1\n".into(),
+        };
         assert_eq!(source.line_column(0), (1, 1));
         assert_eq!(source.line_column(3), (2, 1));
-        assert_eq!(source.line_column(7), (2, 4), "ü is two bytes and one column");
-        assert_eq!(source.line_column(5), (2, 2), "inside a character: its start");
+        assert_eq!(
+            source.line_column(7),
+            (2, 4),
+            "ü is two bytes and one column"
+        );
+        assert_eq!(
+            source.line_column(5),
+            (2, 2),
+            "inside a character: its start"
+        );
         assert_eq!(source.line_column(999), (3, 1));
     }
 

@@ -71,7 +71,11 @@ fn set_aside(table: &mut Table, span: Span) -> bool {
         table.entries.remove(at);
         return true;
     }
-    let Some(at) = table.entries.iter().position(|(_, node)| node.span.contains(span)) else {
+    let Some(at) = table
+        .entries
+        .iter()
+        .position(|(_, node)| node.span.contains(span))
+    else {
         return false;
     };
     if let Value::Table(inner) = &mut table.entries[at].1.value
@@ -109,7 +113,10 @@ mod tests {
     }
 
     fn entry(table: &mut Table, key: &str, from: usize, value: Value) {
-        let key = super::super::node::Key { text: key.into(), span: at(from, from + 2) };
+        let key = super::super::node::Key {
+            text: key.into(),
+            span: at(from, from + 2),
+        };
         table.insert(key, Node::new(at(from + 3, from + 9), value));
     }
 
@@ -124,7 +131,11 @@ mod tests {
         table.set("noise", Node::new(at(50, 80), Value::Table(noise)));
         let node = Node::new(at(0, 100), Value::Table(table));
         let faults = read_params::<Outer>(&node).expect_err("four faults");
-        let places: Vec<_> = faults.iter().filter_map(|f| f.span).map(|s| s.start).collect();
+        let places: Vec<_> = faults
+            .iter()
+            .filter_map(|f| f.span)
+            .map(|s| s.start)
+            .collect();
         assert_eq!(places, [3, 10, 51, 64], "{faults:?}");
         assert_eq!(faults[1].help.as_deref(), Some("did you mean `name`?"));
     }
@@ -134,6 +145,12 @@ mod tests {
         let mut table = Table::default();
         entry(&mut table, "count", 0, Value::Integer(3));
         let node = Node::new(at(0, 100), Value::Table(table));
-        assert_eq!(read_params::<Outer>(&node), Ok(Outer { count: 3, ..Outer::default() }));
+        assert_eq!(
+            read_params::<Outer>(&node),
+            Ok(Outer {
+                count: 3,
+                ..Outer::default()
+            })
+        );
     }
 }

@@ -23,7 +23,11 @@ impl Host for Flying {
     fn assemble(instance: &mut Instance<'_>, _body: Option<BodySpec>) -> Result<Self, BuildError> {
         let vehicle = instance.vehicle()?;
         instance.add_body(vehicle.body())?;
-        Ok(Self { gear: Gear::assemble(instance)?, vehicle, setpoint: Setpoint::default() })
+        Ok(Self {
+            gear: Gear::assemble(instance)?,
+            vehicle,
+            setpoint: Setpoint::default(),
+        })
     }
 
     fn view<'a>(&'a mut self, cx: Cx<'a>) -> Bee<'a> {
@@ -39,11 +43,13 @@ impl Host for Flying {
     }
 
     fn control(&mut self, cx: Cx<'_>) {
-        self.vehicle.control(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
+        self.vehicle
+            .control(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
     }
 
     fn finish(&mut self, cx: Cx<'_>) {
-        self.vehicle.finish(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
+        self.vehicle
+            .finish(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
     }
 }
 

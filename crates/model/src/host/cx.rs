@@ -26,8 +26,20 @@ pub struct Cx<'a> {
 impl Cx<'_> {
     /// The same context for a shorter time.
     pub fn reborrow(&mut self) -> Cx<'_> {
-        let Self { now, swarm, core, own, out } = self;
-        Cx { now: *now, swarm, core, own, out }
+        let Self {
+            now,
+            swarm,
+            core,
+            own,
+            out,
+        } = self;
+        Cx {
+            now: *now,
+            swarm,
+            core,
+            own,
+            out,
+        }
     }
 
     /// The present instant.
@@ -90,12 +102,23 @@ impl Cx<'_> {
     /// A receiver that is not there, or a delay below zero, ends the run with an error that names
     /// this model.
     pub fn tell_after(&mut self, delay: Time, receiver: ModelId, payload: impl Any + Send + Sync) {
-        let Some(at) = self.in_future("a message", delay) else { return };
+        let Some(at) = self.in_future("a message", delay) else {
+            return;
+        };
         if self.swarm.population.get(receiver).is_none() {
-            return self.fault(format!("sent a message to model {receiver}, which does not exist"));
+            return self.fault(format!(
+                "sent a message to model {receiver}, which does not exist"
+            ));
         }
-        let message = Message { sender: self.core.id, payload: Box::new(payload) };
-        self.out.effect(Effect::Tell { receiver, at, message });
+        let message = Message {
+            sender: self.core.id,
+            payload: Box::new(payload),
+        };
+        self.out.effect(Effect::Tell {
+            receiver,
+            at,
+            message,
+        });
     }
 
     /// Writes a line into the log of the run (console and recording).
@@ -120,7 +143,9 @@ impl Cx<'_> {
 
     /// Lets `timer` fire once, after `delay`. What it was armed for before is forgotten.
     pub fn arm(&mut self, timer: TimerHandle, delay: Time) {
-        let Some(at) = self.in_future("a timer", delay) else { return };
+        let Some(at) = self.in_future("a timer", delay) else {
+            return;
+        };
         let event = self.core.timers.arm(timer.index(), at, None);
         self.out.schedule(at, self.core.id, event);
     }
@@ -128,9 +153,13 @@ impl Cx<'_> {
     /// Lets `timer` fire after `delay` and then every `period`. What it was armed for before is
     /// forgotten, also from within its own call.
     pub fn arm_every(&mut self, timer: TimerHandle, delay: Time, period: Time) {
-        let Some(at) = self.in_future("a timer", delay) else { return };
+        let Some(at) = self.in_future("a timer", delay) else {
+            return;
+        };
         let Some(period) = self.span("a timer's period", period).filter(|p| *p > 0) else {
-            return self.fault(format!("a timer's period of {period}: it must be more than zero"));
+            return self.fault(format!(
+                "a timer's period of {period}: it must be more than zero"
+            ));
         };
         let event = self.core.timers.arm(timer.index(), at, Some(period));
         self.out.schedule(at, self.core.id, event);
@@ -173,7 +202,11 @@ impl Cx<'_> {
     }
 
     pub(crate) fn call_of(&self, timer: TimerHandle) -> Call {
-        self.core.calls.get(timer.index() as usize).copied().unwrap_or(Call::CONTROL)
+        self.core
+            .calls
+            .get(timer.index() as usize)
+            .copied()
+            .unwrap_or(Call::CONTROL)
     }
 
     fn in_future(&mut self, what: &str, delay: Time) -> Option<SimTime> {

@@ -37,9 +37,10 @@ impl<'a> Entity<'a> {
     fn change(&mut self, change: impl FnOnce(&mut Motion) -> Result<(), BodyError>) {
         let own = match &mut *self.cx.own {
             Some(own) => own,
-            none => {
-                none.insert(Own { motion: *self.cx.swarm.physics.motion(self.body), jumped: false })
-            }
+            none => none.insert(Own {
+                motion: *self.cx.swarm.physics.motion(self.body),
+                jumped: false,
+            }),
         };
         if let Err(error) = change(&mut own.motion) {
             self.cx.fault(error);
@@ -48,7 +49,10 @@ impl<'a> Entity<'a> {
 
     /// Where the body is and how it points.
     pub fn pose(&self) -> Pose {
-        Pose { position: self.position(), attitude: self.attitude() }
+        Pose {
+            position: self.position(),
+            attitude: self.attitude(),
+        }
     }
 
     /// Where the body's centre of mass is.
@@ -83,7 +87,10 @@ impl<'a> Entity<'a> {
 
     /// Linear and angular velocity.
     pub fn twist(&self) -> Twist {
-        Twist { linear: self.velocity(), angular: self.rate() }
+        Twist {
+            linear: self.velocity(),
+            angular: self.rate(),
+        }
     }
 
     /// Acceleration in the world frame, gravity included.
@@ -161,7 +168,9 @@ impl<'a> Entity<'a> {
     /// All models with a body whose centre is within `radius`, as the instant began; this one is
     /// not among them. In the order of their ids.
     pub fn neighbors(&self, radius: Length) -> Vec<ModelId> {
-        self.cx.swarm.neighbors(self.position(), radius, self.cx.now, self.cx.core.id)
+        self.cx
+            .swarm
+            .neighbors(self.position(), radius, self.cx.now, self.cx.core.id)
     }
 }
 

@@ -24,8 +24,8 @@ pub use bee::{Bee, Flying};
 pub use bodiless::Bodiless;
 pub use cx::Cx;
 pub use entity::Entity;
-pub use platform::Platform;
 pub(crate) use platform::Gear;
+pub use platform::Platform;
 pub use station::Station;
 
 use crate::behavior::BuildError;

@@ -22,7 +22,9 @@ pub(crate) struct Gear {
 impl Gear {
     pub(crate) fn assemble(instance: &mut Instance<'_>) -> Result<Self, BuildError> {
         instance.add_radios()?;
-        Ok(Self { sensors: instance.sensors()? })
+        Ok(Self {
+            sensors: instance.sensors()?,
+        })
     }
 }
 
@@ -34,7 +36,10 @@ pub struct Platform<'a> {
 
 impl<'a> Platform<'a> {
     pub(crate) fn new(cx: Cx<'a>, gear: &'a mut Gear) -> Self {
-        Self { entity: Entity::new(cx), gear }
+        Self {
+            entity: Entity::new(cx),
+            gear,
+        }
     }
 
     /// Takes one reading.
@@ -52,7 +57,9 @@ impl<'a> Platform<'a> {
         self.gear.sensors[usize::from(sensor.index)].read_into(&mut truth, &mut reading);
         match reading {
             Some(reading) => reading,
-            None => unreachable!("a handle's type is checked when it is made, and it fits its own platform"),
+            None => unreachable!(
+                "a handle's type is checked when it is made, and it fits its own platform"
+            ),
         }
     }
 
@@ -112,14 +119,23 @@ impl<'a> Platform<'a> {
         ticket: Option<Ticket>,
     ) {
         if let Some(radio) = self.radio_id(radio) {
-            let request = Request { radio, destination, payload: Arc::from(payload), ticket };
+            let request = Request {
+                radio,
+                destination,
+                payload: Arc::from(payload),
+                ticket,
+            };
             self.entity.out.effect(Effect::Transmit(request));
         }
     }
 
     /// With the channel off there is no radio to find, and packets go nowhere.
     fn radio_id(&self, radio: RadioHandle) -> Option<RadioId> {
-        self.entity.core.radios.get(usize::from(radio.index)).copied()
+        self.entity
+            .core
+            .radios
+            .get(usize::from(radio.index))
+            .copied()
     }
 
     /// Books `charge` on `consumer`.

@@ -19,7 +19,9 @@ impl Host for Station {
         instance.refuse_vehicle("a station")?;
         let body = body.ok_or_else(|| BuildError::other("its behaviour gives it no body"))?;
         instance.add_body(body)?;
-        Ok(Self { gear: Gear::assemble(instance)? })
+        Ok(Self {
+            gear: Gear::assemble(instance)?,
+        })
     }
 
     fn view<'a>(&'a mut self, cx: Cx<'a>) -> Platform<'a> {

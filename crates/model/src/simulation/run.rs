@@ -77,12 +77,25 @@ impl Simulation {
         engine.control().set_factor(setup.pace)?;
         for id in 0..engine.agents().len() {
             // Nothing has happened yet, and every id is known: this cannot fail.
-            let _ = engine.schedule_initial(SimTime::ZERO, ModelId(id as u32), Wake::new(wake::START, 0));
+            let _ = engine.schedule_initial(
+                SimTime::ZERO,
+                ModelId(id as u32),
+                Wake::new(wake::START, 0),
+            );
         }
-        let observers = components.into_iter().map(|(_, component)| Observer::new(component)).collect::<Vec<_>>();
+        let observers = components
+            .into_iter()
+            .map(|(_, component)| Observer::new(component))
+            .collect::<Vec<_>>();
         engine.domain_mut().keep_marks = !observers.is_empty();
         let init_s = started.elapsed().as_secs_f64();
-        Ok(Self { engine, origin: setup.origin, end: setup.limits.end, observers, init_s })
+        Ok(Self {
+            engine,
+            origin: setup.origin,
+            end: setup.limits.end,
+            observers,
+            init_s,
+        })
     }
 
     /// Adds seconds spent before [`Simulation::new`] to what the summary calls `init`.
@@ -117,12 +130,16 @@ impl Simulation {
 
     /// The pose of the body of the model at `path`, now.
     pub fn pose(&self, path: &str) -> Option<Pose> {
-        self.engine.domain().pose_of(self.population().find(path)?, self.now())
+        self.engine
+            .domain()
+            .pose_of(self.population().find(path)?, self.now())
     }
 
     /// The twist of the body of the model at `path`, now.
     pub fn twist(&self, path: &str) -> Option<Twist> {
-        self.engine.domain().twist_of(self.population().find(path)?, self.now())
+        self.engine
+            .domain()
+            .twist_of(self.population().find(path)?, self.now())
     }
 
     /// The charge that the model at `path` has drawn, its radios' states settled up to now.
@@ -177,7 +194,12 @@ impl Simulation {
             self.observers[at].component.start(&view)?;
         }
         loop {
-            let next = self.observers.iter().filter_map(|o| o.clock).map(|(at, _)| at).min();
+            let next = self
+                .observers
+                .iter()
+                .filter_map(|o| o.clock)
+                .map(|(at, _)| at)
+                .min();
             let target = next.unwrap_or(SimTime::MAX).min(self.end);
             let status = self.engine.run_until(target)?;
             match status {
@@ -200,9 +222,13 @@ impl Simulation {
         let (engine, origin) = (&self.engine, &self.origin);
         let marks = &engine.domain().marks;
         for observer in &mut self.observers {
-            let Some((at, period)) = observer.clock else { continue };
+            let Some((at, period)) = observer.clock else {
+                continue;
+            };
             if at == now {
-                observer.component.observe(&view(engine, origin, now, &marks[observer.seen..]))?;
+                observer
+                    .component
+                    .observe(&view(engine, origin, now, &marks[observer.seen..]))?;
                 observer.seen = marks.len();
                 observer.clock = at.checked_add_nanos(period).map(|next| (next, period));
             }
@@ -213,7 +239,12 @@ impl Simulation {
 
     /// Drops the marks that every component has seen.
     fn forget_marks(&mut self) {
-        let seen = self.observers.iter().filter(|o| o.clock.is_some()).map(|o| o.seen).min();
+        let seen = self
+            .observers
+            .iter()
+            .filter(|o| o.clock.is_some())
+            .map(|o| o.seen)
+            .min();
         let all = self.engine.domain().marks.len();
         let drop = seen.unwrap_or(all);
         self.engine.domain_mut().marks.drain(..drop);
@@ -227,7 +258,8 @@ impl Simulation {
         self.engine.limits_mut().wall = None;
         let now = self.engine.now();
         for id in 0..self.engine.agents().len() {
-            self.engine.schedule_initial(now, ModelId(id as u32), Wake::new(wake::FINISH, 0))?;
+            self.engine
+                .schedule_initial(now, ModelId(id as u32), Wake::new(wake::FINISH, 0))?;
         }
         self.engine.run_until(now).map(drop)
     }
@@ -278,7 +310,8 @@ impl Simulation {
         let radio_s = (swarm.radio_nanos.load(Ordering::Relaxed) as f64 / engine.threads() as f64
             + swarm.medium_nanos as f64)
             * 1e-9;
-        let radio_in_run_s = swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
+        let radio_in_run_s =
+            swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
         let events_s = (stats.wall.run_s - radio_in_run_s).max(0.0);
         let physics_s =
             (stats.wall.open_s + stats.wall.close_s - swarm.medium_nanos as f64 * 1e-9).max(0.0);
@@ -321,7 +354,11 @@ impl Simulation {
                 max_ms: lateness.max.as_secs_f64() * 1e3,
             }),
             trace_hash: format!("{:016x}", engine.trace().total()),
-            trace_seconds: engine.trace().marks().map(|m| format!("{} {:016x}", m.second, m.hash)).collect(),
+            trace_seconds: engine
+                .trace()
+                .marks()
+                .map(|m| format!("{} {:016x}", m.second, m.hash))
+                .collect(),
             notes: Vec::new(),
         }
     }
@@ -330,8 +367,15 @@ impl Simulation {
 impl Observer {
     fn new(component: Box<dyn Component>) -> Self {
         let period = component.period().and_then(|p| SimTime::from_time(p).ok());
-        let clock = period.map(SimTime::nanos).filter(|p| *p > 0).map(|p| (SimTime::ZERO, p));
-        Self { component, clock, seen: 0 }
+        let clock = period
+            .map(SimTime::nanos)
+            .filter(|p| *p > 0)
+            .map(|p| (SimTime::ZERO, p));
+        Self {
+            component,
+            clock,
+            seen: 0,
+        }
     }
 }
 
@@ -341,13 +385,22 @@ fn view<'a>(
     now: SimTime,
     marks: &'a [Mark],
 ) -> View<'a> {
-    View { now, swarm: engine.domain(), marks, origin }
+    View {
+        now,
+        swarm: engine.domain(),
+        marks,
+        origin,
+    }
 }
 
 fn packets(swarm: &Swarm) -> Packets {
-    let Some(medium) = &swarm.medium else { return Packets::default() };
+    let Some(medium) = &swarm.medium else {
+        return Packets::default();
+    };
     let counters = medium.totals();
-    let lost = Loss::ALL.into_iter().map(|why| (why.name().to_owned(), counters.lost(why)));
+    let lost = Loss::ALL
+        .into_iter()
+        .map(|why| (why.name().to_owned(), counters.lost(why)));
     Packets {
         sent: counters.sent,
         received: counters.received,

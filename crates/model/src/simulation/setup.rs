@@ -7,8 +7,8 @@ use crate::population::{Member, Population};
 use crate::registry::{ModelFactory, VehicleFactory};
 use crate::swarm::{Agent, Core, MailRoom, Swarm};
 use crate::view::Origin;
-use simbeeotic_kernel::rng::path_key;
 use simbeeotic_kernel::Stream;
+use simbeeotic_kernel::rng::path_key;
 use simbeeotic_kernel::{Limits, Timers};
 use simbeeotic_physics::{Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
@@ -96,10 +96,16 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     let mut keys = Vec::with_capacity(plans.len());
     for plan in &plans {
         let parent = plan.parent.map(|at| simbeeotic_kernel::ModelId(at as u32));
-        let member = Member { path: plan.path.clone(), kind: plan.kind, parent };
+        let member = Member {
+            path: plan.path.clone(),
+            kind: plan.kind,
+            parent,
+        };
         let id = population
             .add(member)
-            .ok_or_else(|| SetupError::DuplicatePath { path: plan.path.clone() })?;
+            .ok_or_else(|| SetupError::DuplicatePath {
+                path: plan.path.clone(),
+            })?;
         let mut instance = Instance {
             id,
             path: Arc::from(plan.path.as_str()),
@@ -115,7 +121,10 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         let model = plan
             .factory
             .build(&mut instance)
-            .map_err(|fault| SetupError::Model { path: plan.path.clone(), fault })?;
+            .map_err(|fault| SetupError::Model {
+                path: plan.path.clone(),
+                fault,
+            })?;
         if instance.body.is_some() {
             owners.push(id);
         }

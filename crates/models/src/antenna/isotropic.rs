@@ -6,7 +6,10 @@ use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{BuildError, FromParams, antenna, params};
 
 /// An antenna that radiates alike in every direction. No real one does; many come near enough.
-#[antenna("isotropic", java = "harvard.robobees.simbeeotic.model.comms.IsotropicAntenna")]
+#[antenna(
+    "isotropic",
+    java = "harvard.robobees.simbeeotic.model.comms.IsotropicAntenna"
+)]
 #[derive(Debug)]
 pub struct IsotropicAntenna(Isotropic);
 
@@ -19,7 +22,9 @@ pub struct IsotropicAntennaParams {
 
 impl Default for IsotropicAntennaParams {
     fn default() -> Self {
-        Self { gain: Decibels::ZERO }
+        Self {
+            gain: Decibels::ZERO,
+        }
     }
 }
 

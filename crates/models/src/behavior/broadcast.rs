@@ -7,7 +7,10 @@ use simbeeotic_model::{Bee, Behavior, BuildError, Kit, RadioHandle, behavior, pa
 
 /// A bee that drifts slowly and broadcasts its number once a second: the smallest example of
 /// talking and listening.
-#[behavior("broadcast-bee", java = "harvard.robobees.simbeeotic.example.BroadcastBee")]
+#[behavior(
+    "broadcast-bee",
+    java = "harvard.robobees.simbeeotic.example.BroadcastBee"
+)]
 pub struct BroadcastBee {
     radio: RadioHandle,
     drift: Velocity<Flu>,
@@ -25,7 +28,10 @@ pub struct BroadcastBeeParams {
 
 impl Default for BroadcastBeeParams {
     fn default() -> Self {
-        Self { period: Time::si(1.0), drift_sigma: Speed::si(0.1) }
+        Self {
+            period: Time::si(1.0),
+            drift_sigma: Speed::si(0.1),
+        }
     }
 }
 
@@ -40,7 +46,11 @@ impl Behavior for BroadcastBee {
         let mut chance = kit.stream("drift");
         let mut speed = || params.drift_sigma * chance.normal();
         let drift = Velocity::new(speed(), speed(), speed());
-        Ok(Self { radio: kit.radio()?, drift, heard: 0 })
+        Ok(Self {
+            radio: kit.radio()?,
+            drift,
+            heard: 0,
+        })
     }
 
     fn on_packet(&mut self, packet: &Packet<'_>, bee: &mut Bee<'_>) {

@@ -20,7 +20,9 @@ pub struct SimpleHiveParams {
 
 impl Default for SimpleHiveParams {
     fn default() -> Self {
-        Self { size: Length::si(1.0) }
+        Self {
+            size: Length::si(1.0),
+        }
     }
 }
 
@@ -39,7 +41,12 @@ impl Behavior<Station> for SimpleHive {
             mobility: Mobility::Fixed,
             group: group::HIVE,
             contacts: Contacts::None,
-            ..BodySpec::new(Shape::Box { half_m: DVec3::splat(half) }, 1.0)
+            ..BodySpec::new(
+                Shape::Box {
+                    half_m: DVec3::splat(half),
+                },
+                1.0,
+            )
         })
     }
 }

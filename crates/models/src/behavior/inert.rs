@@ -20,7 +20,9 @@ impl Behavior for InertBee {
     type Params = InertBeeParams;
 
     fn build(params: InertBeeParams, _kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-        Ok(Self { hover: params.hover })
+        Ok(Self {
+            hover: params.hover,
+        })
     }
 
     fn on_control(&mut self, bee: &mut Bee<'_>) {

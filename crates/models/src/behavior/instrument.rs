@@ -11,7 +11,10 @@ use simbeeotic_model::{Bee, Behavior, BuildError, Handle, Kit, RadioHandle, beha
 /// It walks at random at each step of its vehicle's control law (10 Hz unless changed), reads the
 /// compass once a second, and, if it carries a radio, broadcasts four bytes once a second. This is
 /// the workload of the paper's figures 6 to 8.
-#[behavior("instrument-bee", java = "harvard.robobees.simbeeotic.example.InstrumentBee")]
+#[behavior(
+    "instrument-bee",
+    java = "harvard.robobees.simbeeotic.example.InstrumentBee"
+)]
 pub struct InstrumentBee {
     params: InstrumentBeeParams,
     compass: Option<Handle<Heading>>,
@@ -72,7 +75,11 @@ impl Behavior for InstrumentBee {
             let first = params.phase.first(params.radio_period, &mut phases);
             kit.every_from(first, params.radio_period, Self::talk);
         }
-        Ok(Self { params, compass, radio })
+        Ok(Self {
+            params,
+            compass,
+            radio,
+        })
     }
 
     fn on_control(&mut self, bee: &mut Bee<'_>) {

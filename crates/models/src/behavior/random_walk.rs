@@ -7,7 +7,10 @@ use simbeeotic_model::{Bee, Behavior, BuildError, Kit, behavior, params};
 
 /// A bee on a random walk: at each step of its vehicle's control law it turns at random and
 /// changes its velocity, forward and up, at random.
-#[behavior("random-walk-bee", java = "harvard.robobees.simbeeotic.example.RandomWalkBee")]
+#[behavior(
+    "random-walk-bee",
+    java = "harvard.robobees.simbeeotic.example.RandomWalkBee"
+)]
 pub struct RandomWalkBee {
     params: RandomWalkBeeParams,
 }

@@ -21,7 +21,10 @@ pub struct Cc2420Params {
 
 impl Default for Cc2420Params {
     fn default() -> Self {
-        Self { channel: 11, tx_level: 31 }
+        Self {
+            channel: 11,
+            tx_level: 31,
+        }
     }
 }
 
@@ -30,7 +33,10 @@ impl Radio for Cc2420 {
 
     fn spec(params: Cc2420Params) -> Result<RadioSpec, BuildError> {
         if !(11..=26).contains(&params.channel) {
-            return Err(BuildError::parameter("channel", "must be a channel from 11 to 26"));
+            return Err(BuildError::parameter(
+                "channel",
+                "must be a channel from 11 to 26",
+            ));
         }
         cc2420::spec(params.channel, params.tx_level)
             .ok_or_else(|| BuildError::parameter("tx_level", "must be a level from 3 to 31"))

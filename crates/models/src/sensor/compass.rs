@@ -9,7 +9,10 @@ use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
 ///
 /// The reading is the truth plus a normal error. Pointing straight up or down has no heading; the
 /// reading is then that of an axis infinitely close by.
-#[sensor("compass", java = "harvard.robobees.simbeeotic.model.sensor.DefaultCompass")]
+#[sensor(
+    "compass",
+    java = "harvard.robobees.simbeeotic.model.sensor.DefaultCompass"
+)]
 pub struct Compass {
     sigma: Angle,
 }
@@ -23,7 +26,9 @@ pub struct CompassParams {
 
 impl Default for CompassParams {
     fn default() -> Self {
-        Self { sigma: Angle::si(0.0016_f64.to_radians()) }
+        Self {
+            sigma: Angle::si(0.0016_f64.to_radians()),
+        }
     }
 }
 
@@ -33,7 +38,9 @@ impl Sensor for Compass {
 
     fn build(params: CompassParams) -> Result<Self, BuildError> {
         at_least_zero("sigma", params.sigma.get())?;
-        Ok(Self { sigma: params.sigma })
+        Ok(Self {
+            sigma: params.sigma,
+        })
     }
 
     fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Heading {

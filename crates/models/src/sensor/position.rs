@@ -8,7 +8,10 @@ use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
 
 /// Measures its own position in the world: the truth plus an independent normal error on each
 /// axis.
-#[sensor("position", java = "harvard.robobees.simbeeotic.model.sensor.DefaultPositionSensor")]
+#[sensor(
+    "position",
+    java = "harvard.robobees.simbeeotic.model.sensor.DefaultPositionSensor"
+)]
 pub struct PositionSensor {
     sigma: Length,
 }
@@ -22,7 +25,9 @@ pub struct PositionSensorParams {
 
 impl Default for PositionSensorParams {
     fn default() -> Self {
-        Self { sigma: Length::si(0.5) }
+        Self {
+            sigma: Length::si(0.5),
+        }
     }
 }
 
@@ -32,7 +37,9 @@ impl Sensor for PositionSensor {
 
     fn build(params: PositionSensorParams) -> Result<Self, BuildError> {
         at_least_zero("sigma", params.sigma.get())?;
-        Ok(Self { sigma: params.sigma })
+        Ok(Self {
+            sigma: params.sigma,
+        })
     }
 
     fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Position {

@@ -16,13 +16,13 @@
 //! acts by its velocity relative to the bee and a drag coefficient, which the original forgot.
 
 use glam::DVec3;
+use simbeeotic_model::check::{at_least_zero, in_range, positive};
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::physics::{BodySpec, Contacts, Material, Shape, group};
 use simbeeotic_model::units::{
-    Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, ForceVec, Length, Mass, Position, Rate,
-    Time, V3, Velocity, Yaw, math,
+    Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, ForceVec, Length, Mass, Position,
+    Rate, Time, V3, Velocity, Yaw, math,
 };
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
 use simbeeotic_model::{
     BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
 };
@@ -137,13 +137,23 @@ impl Vehicle for SimpleBee {
         at_least_zero("friction", p.friction)?;
         in_range("restitution", p.restitution, 0.0..=1.0)?;
         let errors = kit.stream("actuation");
-        Ok(Self { params, errors, since: SimTime::ZERO, effort_m_s2: 0.0, hovering: false })
+        Ok(Self {
+            params,
+            errors,
+            since: SimTime::ZERO,
+            effort_m_s2: 0.0,
+            hovering: false,
+        })
     }
 
     fn body(&self) -> BodySpec {
         let p = &self.params;
         let radius = 0.5 * p.length.get();
-        let mask = if p.bee_collisions { group::ALL } else { group::ALL & !group::BEE };
+        let mask = if p.bee_collisions {
+            group::ALL
+        } else {
+            group::ALL & !group::BEE
+        };
         BodySpec {
             p_enu: DVec3::new(0.0, 0.0, radius),
             contacts: match p.contacts {
@@ -166,18 +176,26 @@ impl Vehicle for SimpleBee {
     }
 
     fn control_offset(&mut self) -> Time {
-        self.params.phase.first(self.params.control_period, &mut self.errors)
+        self.params
+            .phase
+            .first(self.params.control_period, &mut self.errors)
     }
 
     fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
         self.settle(platform);
 
         let mass = self.params.mass;
-        let wind = if self.params.use_wind { self.wind_force(platform) } else { ForceVec::ZERO };
+        let wind = if self.params.use_wind {
+            self.wind_force(platform)
+        } else {
+            ForceVec::ZERO
+        };
         let effort = if !setpoint.hovering && setpoint.velocity == Velocity::ZERO {
             Accel::ZERO // it lets itself fall
         } else {
-            let wanted = platform.attitude().rotate(self.with_errors(setpoint.velocity));
+            let wanted = platform
+                .attitude()
+                .rotate(self.with_errors(setpoint.velocity));
             let lag = (wanted - platform.velocity()).si() / self.params.response_time.get();
             let wind = wind.si() / mass.get();
             Accel::<Enu>::from_si(lag - wind).limit(self.params.max_acceleration)
@@ -185,7 +203,11 @@ impl Vehicle for SimpleBee {
 
         self.effort_m_s2 = effort.si().length();
         self.hovering = setpoint.hovering;
-        let weight = if setpoint.hovering { mass.get() * platform.gravity().get() } else { 0.0 };
+        let weight = if setpoint.hovering {
+            mass.get() * platform.gravity().get()
+        } else {
+            0.0
+        };
         let force = mass.get() * effort.si() + DVec3::new(0.0, 0.0, weight) + wind.si();
         platform.set_force(ForceVec::from_si(force));
     }
@@ -224,7 +246,10 @@ impl SimpleBee {
             platform.draw(Consumer::Hover, self.params.hover_current * span);
         }
         let share = self.effort_m_s2 / self.params.max_acceleration.get();
-        platform.draw(Consumer::Actuation, self.params.actuation_current * span * share);
+        platform.draw(
+            Consumer::Actuation,
+            self.params.actuation_current * span * share,
+        );
     }
 
     /// Drag of the air that moves past the body: `½ ρ C_d A |u| u`, u relative to the body.
@@ -241,7 +266,11 @@ impl SimpleBee {
         let (direction, speed) = (self.params.direction_sigma.get(), self.params.speed_sigma);
         let mut flown = wanted;
         if direction > 0.0 {
-            let turn = DVec3::new(self.errors.normal(), self.errors.normal(), self.errors.normal());
+            let turn = DVec3::new(
+                self.errors.normal(),
+                self.errors.normal(),
+                self.errors.normal(),
+            );
             let turned = Attitude::exp(V3::from_si(turn * direction)).rotate(flown);
             flown = Velocity::from_si(turned.si());
         }
@@ -253,6 +282,10 @@ impl SimpleBee {
 
     /// A normal draw, or nothing (and no draw) when sigma is zero.
     fn noise(&mut self, sigma: f64) -> f64 {
-        if sigma > 0.0 { self.errors.normal() } else { 0.0 }
+        if sigma > 0.0 {
+            self.errors.normal()
+        } else {
+            0.0
+        }
     }
 }

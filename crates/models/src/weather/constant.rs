@@ -6,7 +6,10 @@ use simbeeotic_model::world::Weather;
 use simbeeotic_model::{BuildError, FromParams, params, weather};
 
 /// The same wind everywhere and always, in the standard atmosphere.
-#[weather("constant-weather", java = "harvard.robobees.simbeeotic.model.weather.ConstantWeatherModel")]
+#[weather(
+    "constant-weather",
+    java = "harvard.robobees.simbeeotic.model.weather.ConstantWeatherModel"
+)]
 #[derive(Debug)]
 pub struct ConstantWeather {
     wind: Velocity<Enu>,
@@ -21,7 +24,9 @@ pub struct ConstantWeatherParams {
 
 impl Default for ConstantWeatherParams {
     fn default() -> Self {
-        Self { wind: Velocity::ZERO }
+        Self {
+            wind: Velocity::ZERO,
+        }
     }
 }
 

@@ -44,11 +44,17 @@ pub(crate) fn vehicle(
     at: [f64; 3],
 ) -> ModelPlan {
     let part = registry::find(Kind::Model, behavior).expect("a behaviour of the shelf");
-    let Make::Model(make) = part.make else { unreachable!("its kind is model") };
+    let Make::Model(make) = part.make else {
+        unreachable!("its kind is model")
+    };
     let factory = make(&section(params)).expect("good parameters");
     let body = registry::find(Kind::Vehicle, "simple-bee").expect("the vehicle of the shelf");
-    let Make::Vehicle(make) = body.make else { unreachable!("its kind is vehicle") };
-    let vehicle = factory.flies().then(|| make(&section(vehicle)).expect("good parameters"));
+    let Make::Vehicle(make) = body.make else {
+        unreachable!("its kind is vehicle")
+    };
+    let vehicle = factory
+        .flies()
+        .then(|| make(&section(vehicle)).expect("good parameters"));
     ModelPlan {
         path: name.to_owned(),
         kind: part.label.name,
@@ -63,9 +69,15 @@ pub(crate) fn vehicle(
 /// Puts a sensor of the shelf on board.
 pub(crate) fn with_sensor(mut plan: ModelPlan, name: &str, kind: &str) -> ModelPlan {
     let part = registry::find(Kind::Sensor, kind).expect("a sensor of the shelf");
-    let Make::Sensor(make) = part.make else { unreachable!("its kind is sensor") };
+    let Make::Sensor(make) = part.make else {
+        unreachable!("its kind is sensor")
+    };
     let factory = make(&section(&[])).expect("good parameters");
-    let sensor = SensorPlan { name: name.to_owned(), factory, mount: Mount::IDENTITY };
+    let sensor = SensorPlan {
+        name: name.to_owned(),
+        factory,
+        mount: Mount::IDENTITY,
+    };
     Arc::make_mut(&mut plan.gear).sensors.push(sensor);
     plan
 }
@@ -73,10 +85,17 @@ pub(crate) fn with_sensor(mut plan: ModelPlan, name: &str, kind: &str) -> ModelP
 /// Puts a CC2420 on board.
 pub(crate) fn with_radio(mut plan: ModelPlan) -> ModelPlan {
     let part = registry::find(Kind::Radio, "cc2420").expect("the radio of the shelf");
-    let Make::Radio(make) = part.make else { unreachable!("its kind is radio") };
+    let Make::Radio(make) = part.make else {
+        unreachable!("its kind is radio")
+    };
     let spec = make(&section(&[])).expect("good parameters");
     let antenna = Arc::new(Isotropic::default());
-    let radio = RadioPlan { name: "radio".to_owned(), spec, antenna, mount: Mount::IDENTITY };
+    let radio = RadioPlan {
+        name: "radio".to_owned(),
+        spec,
+        antenna,
+        mount: Mount::IDENTITY,
+    };
     Arc::make_mut(&mut plan.gear).radios.push(radio);
     plan
 }
@@ -95,8 +114,14 @@ pub(crate) fn run_in(
 ) -> Simulation {
     let medium = SimpleMedium::new(SimpleConfig::default()).expect("good numbers");
     let setup = Setup {
-        origin: Origin { seed: 7, ..Origin::default() },
-        limits: Limits { end: SimTime::from_secs(seconds), ..Limits::default() },
+        origin: Origin {
+            seed: 7,
+            ..Origin::default()
+        },
+        limits: Limits {
+            end: SimTime::from_secs(seconds),
+            ..Limits::default()
+        },
         threads,
         pace: None,
         physics: Default::default(),
@@ -108,4 +133,3 @@ pub(crate) fn run_in(
     };
     Simulation::new(setup).expect("it can be put together")
 }
-

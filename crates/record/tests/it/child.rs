@@ -17,7 +17,7 @@ pub(crate) fn start(test: &str, path: &Path, before: &str) -> Child {
     Command::new("sh")
         .args(["-c", &format!("{before} exec \"$0\" \"$@\"")])
         .arg(program)
-        .args(["--exact", test, "--ignored", "--nocapture"])
+        .args(["--exact", test, "--nocapture"])
         .env(FILE, path)
         .stdout(Stdio::piped())
         .spawn()

@@ -23,7 +23,6 @@ fn a_folder_that_is_not_there_is_told_before_the_run_starts() {
 
 /// Records until no more fits into the file, and says how that ended.
 #[test]
-#[ignore = "started by another test"]
 fn starving_child() {
     let Some(path) = child::file() else { return };
     let mut recorder = Recorder::create(path, swarm::header(500)).expect("created");

@@ -15,7 +15,6 @@ const VEHICLES: usize = 20;
 
 /// Records the time by the wall clock until it is killed, and says what it does.
 #[test]
-#[ignore = "started by another test"]
 fn recording_child() {
     let Some(path) = child::file() else { return };
     let mut recorder = Recorder::create(path, swarm::header(VEHICLES)).expect("created");

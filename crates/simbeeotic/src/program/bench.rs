@@ -57,7 +57,9 @@ pub(super) fn bench(options: &BenchOptions) -> Result<(), Failure> {
             Err(e) => return Err(Failure::run(e)),
         }
     } else {
-        remark("the paper's soft real-time limit for this workload: 3,074 MAVs (2.2 GHz quad-core, 2011)");
+        remark(
+            "the paper's soft real-time limit for this workload: 3,074 MAVs (2.2 GHz quad-core, 2011)",
+        );
     }
     Ok(())
 }

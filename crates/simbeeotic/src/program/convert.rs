@@ -8,7 +8,11 @@ use std::path::Path;
 
 /// Converts a scenario, and its world if one is given.
 pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
-    let world = options.world.as_deref().map(|path| convert_one(path, options.output.as_deref())).transpose()?;
+    let world = options
+        .world
+        .as_deref()
+        .map(|path| convert_one(path, options.output.as_deref()))
+        .transpose()?;
     let converted = convert_file(&options.scenario, world.as_deref()).map_err(|rejected| {
         Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end())
     })?;
@@ -34,14 +38,18 @@ fn convert_one(world: &Path, output: Option<&Path>) -> Result<std::path::PathBuf
         Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end())
     })?;
     if target.exists() {
-        return Err(Failure::run(format!("{} is there already", target.display())));
+        return Err(Failure::run(format!(
+            "{} is there already",
+            target.display()
+        )));
     }
     write(&target, &converted.toml)?;
     Ok(target)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    fs::write(path, text).map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
+    fs::write(path, text)
+        .map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
     remark(format!("wrote {}", path.display()));
     Ok(())
 }

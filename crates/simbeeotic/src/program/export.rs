@@ -23,21 +23,31 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     let (exported, target) = match (&options.csv, &options.parquet) {
         (Some(path), _) if path == Path::new("-") => {
             let mut out = BufWriter::new(stdout().lock());
-            match export_csv(&recording, &selection, &mut out).and_then(|done| Ok((done, out.flush()?))) {
+            match export_csv(&recording, &selection, &mut out)
+                .and_then(|done| Ok((done, out.flush()?)))
+            {
                 // A reader that has gone away (`| head`) has what it wanted.
-                Err(ExportError::Io(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => return Ok(()),
+                Err(ExportError::Io(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => {
+                    return Ok(());
+                }
                 result => return result.map(drop).map_err(failed),
             }
         }
         (Some(path), _) => {
             let file = File::create(path)
                 .map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
-            (export_csv(&recording, &selection, BufWriter::new(file)).map_err(failed)?, path.clone())
+            (
+                export_csv(&recording, &selection, BufWriter::new(file)).map_err(failed)?,
+                path.clone(),
+            )
         }
         (None, parquet) => {
             let named = parquet.clone().filter(|p| !p.as_os_str().is_empty());
             let path = named.unwrap_or_else(|| options.recording.with_extension("parquet"));
-            (export_parquet(&recording, &selection, &path).map_err(failed)?, path)
+            (
+                export_parquet(&recording, &selection, &path).map_err(failed)?,
+                path,
+            )
         }
     };
     report(&exported, &target);
@@ -46,7 +56,12 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
 
 fn report(exported: &Exported, target: &Path) {
     let bytes = std::fs::metadata(target).map(|m| m.len()).unwrap_or(0);
-    remark(format!("wrote {}: {} rows, {}", target.display(), exported.rows, show::bytes(bytes)));
+    remark(format!(
+        "wrote {}: {} rows, {}",
+        target.display(),
+        exported.rows,
+        show::bytes(bytes)
+    ));
 }
 
 fn failed(error: ExportError) -> Failure {
@@ -58,7 +73,9 @@ fn selection(options: &ExportOptions) -> Result<Selection, Failure> {
         None => Ok(or),
         Some(text) => {
             let time = input::span(option, text)?;
-            SimTime::from_time(time).map(SimTime::nanos).map_err(|e| Failure::input(format!("{option}: {e}")))
+            SimTime::from_time(time)
+                .map(SimTime::nanos)
+                .map_err(|e| Failure::input(format!("{option}: {e}")))
         }
     };
     let every = NonZeroU64::new(options.every)

@@ -16,7 +16,10 @@ pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Fai
     if let Some(end) = &options.end_time {
         sets.push(format!("run.end_time={end}"));
     }
-    let request = Request { world: options.world.clone(), sets };
+    let request = Request {
+        world: options.world.clone(),
+        sets,
+    };
     match load_file(&options.scenario, &request) {
         Ok(loaded) => {
             if !quiet {
@@ -24,9 +27,9 @@ pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Fai
             }
             Ok(loaded)
         }
-        Err(rejected) => {
-            Err(Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end()))
-        }
+        Err(rejected) => Err(Failure::input(
+            render::faults(&rejected.faults, &rejected.sources, colour()).trim_end(),
+        )),
     }
 }
 
@@ -52,7 +55,9 @@ pub(super) fn setup_failure(loaded: &Loaded, error: SetupError) -> Failure {
 pub(super) fn time(option: &str, text: &str) -> Result<Time, Failure> {
     match text.parse::<Time>() {
         Ok(time) if time > Time::ZERO => Ok(time),
-        Ok(time) => Err(Failure::input(format!("{option} {time}: it must be more than zero"))),
+        Ok(time) => Err(Failure::input(format!(
+            "{option} {time}: it must be more than zero"
+        ))),
         Err(e) => Err(Failure::input(format!("{option}: {e}"))),
     }
 }
@@ -61,12 +66,19 @@ pub(super) fn time(option: &str, text: &str) -> Result<Time, Failure> {
 pub(super) fn table<const N: usize>(entries: [(&str, String); N]) -> Node {
     let mut table = Table::default();
     for (key, text) in entries {
-        table.insert(Key { text: key.to_owned(), span: Span::default() }, Node::string(Span::default(), text));
+        table.insert(
+            Key {
+                text: key.to_owned(),
+                span: Span::default(),
+            },
+            Node::string(Span::default(), text),
+        );
     }
     Node::new(Span::default(), Value::Table(table))
 }
 
 /// A point of time in an argument: zero is allowed.
 pub(super) fn span(option: &str, text: &str) -> Result<Time, Failure> {
-    text.parse::<Time>().map_err(|e| Failure::input(format!("{option}: {e}")))
+    text.parse::<Time>()
+        .map_err(|e| Failure::input(format!("{option}: {e}")))
 }

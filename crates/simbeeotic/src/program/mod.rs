@@ -41,7 +41,11 @@ pub fn main() -> ExitCode {
         Command::List { kind, json } => shelf::list(kind.as_deref(), json),
         Command::Describe { name, json } => shelf::describe(&name, json),
         Command::Schema => shelf::schema(),
-        Command::New { name, path, library } => new::new(&name, path.as_deref(), library.as_deref()),
+        Command::New {
+            name,
+            path,
+            library,
+        } => new::new(&name, path.as_deref(), library.as_deref()),
         Command::Convert(options) => convert::convert(&options),
         Command::Export(options) => export::export(&options),
         Command::Bench(options) => bench::bench(&options),
@@ -65,12 +69,18 @@ pub(crate) struct Failure {
 impl Failure {
     /// The input or the arguments are wrong.
     fn input(message: impl Display) -> Self {
-        Self { message: message.to_string(), code: 2 }
+        Self {
+            message: message.to_string(),
+            code: 2,
+        }
     }
 
     /// Something failed that was right to ask for.
     fn run(message: impl Display) -> Self {
-        Self { message: message.to_string(), code: 1 }
+        Self {
+            message: message.to_string(),
+            code: 1,
+        }
     }
 }
 

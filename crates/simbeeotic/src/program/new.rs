@@ -9,16 +9,25 @@ pub(super) fn new(name: &str, path: Option<&Path>, library: Option<&Path>) -> Re
     check_name(name)?;
     let folder = path.map_or_else(|| PathBuf::from(name), Path::to_owned);
     if folder.exists() {
-        return Err(Failure::input(format!("{} is there already; choose another name", folder.display())));
+        return Err(Failure::input(format!(
+            "{} is there already; choose another name",
+            folder.display()
+        )));
     }
     let dependency = dependency(library)?;
     let files = [
         ("Cargo.toml", include_str!("template/Cargo.toml.txt")),
         ("src/lib.rs", include_str!("template/lib.rs.txt")),
         ("src/main.rs", include_str!("template/main.rs.txt")),
-        ("src/orbit_bee.rs", include_str!("template/orbit_bee.rs.txt")),
+        (
+            "src/orbit_bee.rs",
+            include_str!("template/orbit_bee.rs.txt"),
+        ),
         ("tests/orbit.rs", include_str!("template/orbit.rs.txt")),
-        ("scenarios/orbit.toml", include_str!("template/orbit.toml.txt")),
+        (
+            "scenarios/orbit.toml",
+            include_str!("template/orbit.toml.txt"),
+        ),
         ("README.md", include_str!("template/README.md.txt")),
         (".gitignore", "/target\n*.mcap\n"),
     ];
@@ -28,7 +37,10 @@ pub(super) fn new(name: &str, path: Option<&Path>, library: Option<&Path>) -> Re
             .replace("{{name}}", name)
             .replace("{{crate}}", &name.replace('-', "_"))
             .replace("{{dependency}}", &dependency);
-        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, text));
+        let written = path
+            .parent()
+            .map_or(Ok(()), fs::create_dir_all)
+            .and_then(|()| fs::write(&path, text));
         written.map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
     }
     say(format!(
@@ -41,8 +53,19 @@ pub(super) fn new(name: &str, path: Option<&Path>, library: Option<&Path>) -> Re
 /// Cargo's rules for a package name, and a bit stricter: it becomes a Rust path too.
 fn check_name(name: &str) -> Result<(), Failure> {
     let fits = name.starts_with(|c: char| c.is_ascii_lowercase())
-        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_');
-    let taken = ["simbeeotic", "test", "core", "std", "alloc", "self", "super", "crate"];
+        && name
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_');
+    let taken = [
+        "simbeeotic",
+        "test",
+        "core",
+        "std",
+        "alloc",
+        "self",
+        "super",
+        "crate",
+    ];
     if fits && !taken.contains(&name) {
         Ok(())
     } else {
@@ -63,8 +86,9 @@ fn dependency(library: Option<&Path>) -> Result<String, Failure> {
             Ok(format!("{{ path = {folder:?} }}"))
         }
         Err(_) if library.is_none() => Ok(format!("{:?}", env!("CARGO_PKG_VERSION"))),
-        Err(e) => {
-            Err(Failure::input(format!("no crate in {}: {e}; --library names the folder of the simbeeotic crate", path.display())))
-        }
+        Err(e) => Err(Failure::input(format!(
+            "no crate in {}: {e}; --library names the folder of the simbeeotic crate",
+            path.display()
+        ))),
     }
 }

@@ -10,7 +10,10 @@ use std::path::Path;
 use std::time::Instant;
 
 /// Runs a scenario.
-#[allow(clippy::disallowed_methods, reason = "how long it took goes into the summary")]
+#[allow(
+    clippy::disallowed_methods,
+    reason = "how long it took goes into the summary"
+)]
 pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     let started = Instant::now();
     let loaded = input::load(&options.scenario, options.quiet)?;
@@ -61,7 +64,9 @@ fn choose_recording(setup: &mut Setup, options: &RunOptions) -> Result<(), Failu
     if options.no_record {
         setup.components.retain(|(name, _)| name != "recorder");
     }
-    let Some(path) = &options.record else { return Ok(()) };
+    let Some(path) = &options.record else {
+        return Ok(());
+    };
     let component = recorder(path)?;
     setup.components.retain(|(name, _)| name != "recorder");
     setup.components.push(("recorder".to_owned(), component));
@@ -73,8 +78,15 @@ fn recorder(path: &Path) -> Result<Box<dyn simbeeotic_model::Component>, Failure
     let Some(Make::Component(make)) = part else {
         return Err(Failure::run("this program has no recorder"));
     };
-    make(&input::table([("path", path.display().to_string())]))
-        .map_err(|faults| Failure::input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")))
+    make(&input::table([("path", path.display().to_string())])).map_err(|faults| {
+        Failure::input(
+            faults
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join("\n"),
+        )
+    })
 }
 
 /// Checks a scenario: reads it and puts it together, and does not run it.
@@ -95,7 +107,10 @@ fn describe(loaded: &Loaded, simulation: &Simulation) -> String {
             None => kinds.push((member.kind, 1)),
         }
     }
-    let kinds: Vec<String> = kinds.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+    let kinds: Vec<String> = kinds
+        .iter()
+        .map(|(kind, count)| format!("{count} {kind}"))
+        .collect();
     format!(
         "{} is fine: {} models ({}), until {}",
         loaded.name(),

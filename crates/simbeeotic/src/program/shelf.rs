@@ -35,7 +35,12 @@ pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
         let _ = writeln!(page, "{}", kind.name());
         for part in of_kind {
             let summary = part.summary().replace('\n', " ");
-            let _ = writeln!(page, "  {:<18} {}", part.label.name, first_sentence(&summary));
+            let _ = writeln!(
+                page,
+                "  {:<18} {}",
+                part.label.name,
+                first_sentence(&summary)
+            );
         }
         page.push('\n');
     }
@@ -46,14 +51,22 @@ pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
 
 fn kind_called(word: &str) -> Result<Kind, Failure> {
     let word = word.strip_suffix('s').unwrap_or(word);
-    Kind::ALL.into_iter().find(|k| k.name() == word).ok_or_else(|| {
-        let fault = Fault::unknown(None, "kind of part", word, Kind::ALL.map(Kind::name));
-        Failure::input(format!("{}; {}", fault, fault.help.as_deref().unwrap_or("")))
-    })
+    Kind::ALL
+        .into_iter()
+        .find(|k| k.name() == word)
+        .ok_or_else(|| {
+            let fault = Fault::unknown(None, "kind of part", word, Kind::ALL.map(Kind::name));
+            Failure::input(format!(
+                "{}; {}",
+                fault,
+                fault.help.as_deref().unwrap_or("")
+            ))
+        })
 }
 
 fn first_sentence(text: &str) -> &str {
-    text.find(". ").map_or(text.trim_end_matches('.'), |end| &text[..end])
+    text.find(". ")
+        .map_or(text.trim_end_matches('.'), |end| &text[..end])
 }
 
 /// Describes the parts called `name`.
@@ -64,7 +77,12 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
         .filter(|p| p.label.name == name || p.label.java.contains(&name))
         .collect();
     if found.is_empty() {
-        let fault = Fault::unknown(None, "part", name, registry::parts().iter().map(|p| p.label.name));
+        let fault = Fault::unknown(
+            None,
+            "part",
+            name,
+            registry::parts().iter().map(|p| p.label.name),
+        );
         let help = fault.help.as_deref().unwrap_or("");
         return Err(Failure::input(format!("{fault}; {help}")));
     }
@@ -79,7 +97,12 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
 }
 
 fn page(part: &Part) -> String {
-    let mut page = format!("{} ({}, in {})\n\n", part.label.name, part.kind.name(), part.label.module);
+    let mut page = format!(
+        "{} ({}, in {})\n\n",
+        part.label.name,
+        part.kind.name(),
+        part.label.module
+    );
     for line in part.label.docs.lines() {
         let _ = writeln!(page, "  {line}");
     }
@@ -94,7 +117,9 @@ fn page(part: &Part) -> String {
     }
     for (name, field) in fields {
         let default = defaults.as_table().and_then(|t| t.get(name));
-        let value = default.map(simbeeotic_scenario::print::value).unwrap_or_default();
+        let value = default
+            .map(simbeeotic_scenario::print::value)
+            .unwrap_or_default();
         let _ = writeln!(page, "\n  {name} = {value}");
         let field = resolve(&schema, field);
         let text = field["description"].as_str().unwrap_or("");
@@ -130,15 +155,26 @@ fn resolve<'a>(schema: &'a Value, field: &'a Value) -> &'a Value {
 }
 
 fn units(field: &Value) -> Option<String> {
-    let units = field["x-units"].as_array().or_else(|| field["items"]["x-units"].as_array())?;
-    Some(units.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(", "))
+    let units = field["x-units"]
+        .as_array()
+        .or_else(|| field["items"]["x-units"].as_array())?;
+    Some(
+        units
+            .iter()
+            .filter_map(Value::as_str)
+            .collect::<Vec<_>>()
+            .join(", "),
+    )
 }
 
 fn choices(field: &Value) -> Vec<&str> {
     if let Some(words) = field["enum"].as_array() {
         return words.iter().filter_map(Value::as_str).collect();
     }
-    let one_of = field["oneOf"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let one_of = field["oneOf"]
+        .as_array()
+        .map(Vec::as_slice)
+        .unwrap_or_default();
     one_of.iter().filter_map(|v| v["const"].as_str()).collect()
 }
 
@@ -147,4 +183,3 @@ pub(super) fn schema() -> Result<(), Failure> {
     say(format!("{:#}", simbeeotic_scenario::schema::schema()));
     Ok(())
 }
-

@@ -17,12 +17,18 @@ pub(super) struct Bar {
 
 impl Bar {
     /// Follows `progress` until it is dropped. Draws nothing if standard error is no terminal.
-    #[allow(clippy::disallowed_methods, reason = "shows wall-clock speed to the user")]
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "shows wall-clock speed to the user"
+    )]
     pub(super) fn start(progress: Arc<Progress>, end: SimTime) -> Self {
         let done = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&done);
         let thread = std::thread::spawn(move || {
-            let bar = ProgressBar::with_draw_target(Some(end.nanos()), ProgressDrawTarget::stderr_with_hz(10));
+            let bar = ProgressBar::with_draw_target(
+                Some(end.nanos()),
+                ProgressDrawTarget::stderr_with_hz(10),
+            );
             let template = "{bar:32} {percent:>3}%  {msg}";
             if let Ok(style) = ProgressStyle::with_template(template) {
                 bar.set_style(style.progress_chars("=> "));
@@ -48,7 +54,10 @@ impl Bar {
             }
             bar.finish_and_clear();
         });
-        Self { done, thread: Some(thread) }
+        Self {
+            done,
+            thread: Some(thread),
+        }
     }
 }
 
@@ -67,7 +76,11 @@ fn span(seconds: f64) -> String {
         s if !s.is_finite() || s > 359_999.0 => "?".to_owned(),
         s if s < 60.0 => format!("{s:.0} s"),
         s if s < 3600.0 => format!("{:.0} min {:02.0} s", (s / 60.0).floor(), s % 60.0),
-        s => format!("{:.0} h {:02.0} min", (s / 3600.0).floor(), (s % 3600.0) / 60.0),
+        s => format!(
+            "{:.0} h {:02.0} min",
+            (s / 3600.0).floor(),
+            (s % 3600.0) / 60.0
+        ),
     }
 }
 
@@ -78,15 +91,27 @@ pub(super) fn summary(summary: &Summary) -> String {
         let _ = writeln!(page, "  {key:<10} {value}");
     };
     let s = summary;
-    let threads = if s.threads == 1 { "1 thread".to_owned() } else { format!("{} threads", s.threads) };
+    let threads = if s.threads == 1 {
+        "1 thread".to_owned()
+    } else {
+        format!("{} threads", s.threads)
+    };
     line("scenario", format!("{}, seed {}", s.scenario, s.seed));
     line(
         "models",
-        format!("{}, {} bodies, {} radios", HumanCount(s.models as u64), HumanCount(s.bodies as u64), HumanCount(s.radios as u64)),
+        format!(
+            "{}, {} bodies, {} radios",
+            HumanCount(s.models as u64),
+            HumanCount(s.bodies as u64),
+            HumanCount(s.radios as u64)
+        ),
     );
     line(
         "time",
-        format!("{:.3} s virtual in {:.2} s: {:.2} x real time, {threads} ({})", s.virtual_s, s.wall_s, s.speed, s.ended),
+        format!(
+            "{:.3} s virtual in {:.2} s: {:.2} x real time, {threads} ({})",
+            s.virtual_s, s.wall_s, s.speed, s.ended
+        ),
     );
     let t = &s.time;
     line(
@@ -96,12 +121,27 @@ pub(super) fn summary(summary: &Summary) -> String {
             t.init_s, t.events_s, t.physics_s, t.radio_s, t.other_s
         ),
     );
-    line("events", format!("{} in {} instants", HumanCount(s.events), HumanCount(s.instants)));
+    line(
+        "events",
+        format!(
+            "{} in {} instants",
+            HumanCount(s.events),
+            HumanCount(s.instants)
+        ),
+    );
     line("touches", HumanCount(s.touches).to_string());
     if s.radios > 0 {
-        let lost: Vec<_> =
-            s.packets.lost.iter().map(|(why, n)| format!("{} {why}", HumanCount(*n))).collect();
-        let lost = if lost.is_empty() { String::new() } else { format!("; lost: {}", lost.join(", ")) };
+        let lost: Vec<_> = s
+            .packets
+            .lost
+            .iter()
+            .map(|(why, n)| format!("{} {why}", HumanCount(*n)))
+            .collect();
+        let lost = if lost.is_empty() {
+            String::new()
+        } else {
+            format!("; lost: {}", lost.join(", "))
+        };
         let text = format!(
             "{} sent, {} received{lost}",
             HumanCount(s.packets.sent),
@@ -117,10 +157,20 @@ pub(super) fn summary(summary: &Summary) -> String {
         .map(|c| format!("{} {:.1}", c.consumer, c.milliampere_seconds / 3600.0))
         .collect();
     if !shares.is_empty() {
-        line("charge", format!("{:.1} mAh: {}", total / 3600.0, shares.join(", ")));
+        line(
+            "charge",
+            format!("{:.1} mAh: {}", total / 3600.0, shares.join(", ")),
+        );
     }
     if let Some(late) = &s.lateness {
-        line("late", format!("{} instants, at most {:.1} ms", HumanCount(late.late), late.max_ms));
+        line(
+            "late",
+            format!(
+                "{} instants, at most {:.1} ms",
+                HumanCount(late.late),
+                late.max_ms
+            ),
+        );
     }
     for note in &s.notes {
         line(&note.key, note.text.clone());

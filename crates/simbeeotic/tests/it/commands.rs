@@ -1,0 +1,215 @@
+//! Each command once, and what it says to input that is wrong.
+
+use crate::program::{Program, shipped};
+
+#[test]
+fn every_shipped_scenario_is_fine() {
+    let program = Program::new();
+    for entry in std::fs::read_dir(shipped("scenarios")).expect("scenarios are shipped") {
+        let path = entry.expect("it can be listed").path();
+        if path.extension().is_some_and(|e| e == "toml" || e == "xml") {
+            let call = program.call(&["check", &path.display().to_string()]);
+            assert_eq!(call.code, Some(0), "{}: {}", path.display(), call.err);
+            assert!(call.out.contains("is fine"), "{}", call.out);
+        }
+    }
+}
+
+#[test]
+fn all_errors_of_a_scenario_are_shown_at_their_lines() {
+    let program = Program::new();
+    program.write(
+        "bad.toml",
+        r#"[run]
+seed = 1
+end_tim = "10 s"
+
+[[model]]
+use = "random-walk-be"
+
+[[model]]
+use = "random-walk-bee"
+count = -3
+params = { max_speed = "2 m", headng_sigma = "0.1 rad" }
+vehicle = { use = "simple-bee", mass = 0.128 }
+"#,
+    );
+    for command in ["check", "run"] {
+        let call = program.call(&[command, "bad.toml"]);
+        assert_eq!(call.code, Some(2), "{}", call.err);
+        for place in [
+            "bad.toml:3:1",
+            "bad.toml:6:7",
+            "bad.toml:10:9",
+            "bad.toml:11:",
+            "bad.toml:12:",
+        ] {
+            assert!(call.err.contains(place), "{place} is not in:\n{}", call.err);
+        }
+        assert!(
+            call.err.contains("did you mean `random-walk-bee`?"),
+            "{}",
+            call.err
+        );
+        assert!(
+            call.err.contains("did you mean `heading_sigma`?"),
+            "{}",
+            call.err
+        );
+        assert!(
+            call.err.contains("needs a unit") || call.err.contains("bare number"),
+            "{}",
+            call.err
+        );
+    }
+}
+
+#[test]
+fn a_parameter_out_of_range_is_shown_where_it_is_written() {
+    let program = Program::new();
+    program.write(
+        "bad.toml",
+        "[run]\nseed = 1\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\nvehicle = { use = \"simple-bee\", mass = \"-1 kg\" }\n",
+    );
+    let call = program.call(&["check", "bad.toml"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(
+        call.err.contains("bad.toml:6:42") && call.err.contains("more than zero"),
+        "{}",
+        call.err
+    );
+}
+
+#[test]
+fn gear_that_is_missing_is_named() {
+    let program = Program::new();
+    program.write(
+        "bad.toml",
+        "[run]\nseed = 1\nend_time = \"1 s\"\n[[model]]\nuse = \"broadcast-bee\"\n",
+    );
+    let call = program.call(&["check", "bad.toml"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(call.err.contains("a radio is wanted"), "{}", call.err);
+}
+
+#[test]
+fn a_file_that_is_not_there_is_an_error_of_input() {
+    let program = Program::new();
+    let call = program.call(&["run", "nowhere.toml"]);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("nowhere.toml"), "{}", call.err);
+    let call = program.call(&["export", "nowhere.mcap", "--csv"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+}
+
+#[test]
+fn overrides_that_make_no_sense_are_shown_as_they_were_given() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/first-swarm.toml");
+    for (set, words) in [
+        ("run.end_tiem=1 s", "end_time"),
+        ("run.end_time=1", "unit"),
+        ("model.wasp.count=1", "wasp"),
+        ("nonsense", "="),
+    ] {
+        let call = program.call(&["check", &scenario, "--set", set]);
+        assert_eq!(call.code, Some(2), "{set}: {}", call.out);
+        assert!(call.err.contains(words), "{set}: {}", call.err);
+    }
+}
+
+#[test]
+fn a_recording_becomes_a_table() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/drop.toml");
+    let call = program.call(&["run", &scenario]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    assert!(
+        call.out.contains("drop.mcap"),
+        "the summary says where the recording is: {}",
+        call.out
+    );
+
+    let csv = program.call(&["export", "drop.mcap", "--csv", "--model", "dead"]);
+    assert_eq!(csv.code, Some(0), "{}", csv.err);
+    let mut lines = csv.out.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let column = |name: &str| {
+        header
+            .iter()
+            .position(|h| *h == name)
+            .expect("a documented column")
+    };
+    let (time, z) = (column("time_s"), column("z_m"));
+    let rows: Vec<Vec<&str>> = lines.map(|l| l.split(',').collect()).collect();
+    assert_eq!(rows.len(), 501, "10 s at 20 ms, both ends");
+    let second = rows
+        .iter()
+        .find(|r| r[time] == "1" || r[time] == "1.0")
+        .expect("a tick at 1 s");
+    let height: f64 = second[z].parse().expect("a number");
+    assert!(
+        (height - (20.05 - 0.5 * 9.80665)).abs() < 1e-5,
+        "free fall: {height}"
+    );
+
+    let parquet = program.call(&["export", "drop.mcap", "--parquet"]);
+    assert_eq!(parquet.code, Some(0), "{}", parquet.err);
+    let bytes = std::fs::read(program.path("drop.parquet")).expect("a Parquet file");
+    assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+}
+
+#[test]
+fn the_bench_prints_the_paper_s_table() {
+    let program = Program::new();
+    let call = program.call(&[
+        "bench",
+        "fig7",
+        "--n",
+        "50,100",
+        "--duration",
+        "1 s",
+        "--json",
+    ]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let rows: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
+    for (row, n) in rows.as_array().expect("rows").iter().zip([50, 100]) {
+        assert_eq!(row["n"], n);
+        for key in [
+            "events_s",
+            "physics_s",
+            "radio_s",
+            "other_s",
+            "wall_s",
+            "speed",
+        ] {
+            assert!(row[key].as_f64().is_some_and(|x| x >= 0.0), "{key}: {row}");
+        }
+        // 11 control steps, 2 readings, a start and an end.
+        assert_eq!(row["events"], n * 15, "{row}");
+    }
+}
+
+#[test]
+fn a_new_crate_is_made_once() {
+    let program = Program::new();
+    let call = program.call(&["new", "my-swarm"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    for file in [
+        "Cargo.toml",
+        "src/main.rs",
+        "src/lib.rs",
+        "src/orbit_bee.rs",
+        "tests/orbit.rs",
+        "scenarios/orbit.toml",
+    ] {
+        let text = std::fs::read_to_string(program.path("my-swarm").join(file)).expect(file);
+        assert!(!text.contains("{{"), "{file} has a gap: {text}");
+    }
+    assert_eq!(
+        program.call(&["new", "my-swarm"]).code,
+        Some(2),
+        "it does not overwrite"
+    );
+    assert_eq!(program.call(&["new", "My Swarm"]).code, Some(2));
+}

@@ -1,0 +1,160 @@
+//! Same scenario, same seed: the same run, whatever else is different.
+
+use crate::program::{Program, shipped};
+use simbeeotic::Error;
+use simbeeotic::scenario::{Request, load_text};
+use simbeeotic_model::Simulation;
+use simbeeotic_model::kernel::SimTime;
+
+const INSTRUMENT: &str = "scenarios/instrument.toml";
+
+#[test]
+fn threads_recording_and_repetition_do_not_show() {
+    let program = Program::new();
+    let scenario = shipped(INSTRUMENT);
+    let run =
+        |more: &[&str]| program.trace(&[&[scenario.as_str(), "--end-time", "2 s"], more].concat());
+    let first = run(&["--no-record", "--threads", "1"]);
+    assert_eq!(first, run(&["--no-record", "--threads", "1"]), "again");
+    assert_eq!(
+        first,
+        run(&["--no-record", "--threads", "2"]),
+        "two threads"
+    );
+    assert_eq!(
+        first,
+        run(&["--no-record", "--threads", "3"]),
+        "three threads"
+    );
+    assert_eq!(first, run(&["--record", "run.mcap"]), "recorded");
+    assert_eq!(first, run(&["--no-record", "--real-time", "1000"]), "paced");
+    assert_ne!(
+        first,
+        run(&["--no-record", "--seed", "2"]),
+        "another seed is another run"
+    );
+}
+
+#[test]
+fn the_hash_can_tell_a_change_of_one_parameter() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/first-swarm.toml");
+    let run =
+        |set: &str| program.trace(&[&scenario, "--no-record", "--end-time", "2 s", "--set", set]);
+    let as_written = run("run.seed=1");
+    assert_ne!(as_written, run("model.bee.params.max_speed=1.99 m/s"));
+    assert_ne!(as_written, run("model.bee.vehicle.mass=129 g"));
+}
+
+/// Twenty bees in a cube, and more if asked for, before or after them.
+fn bees(before: &str, after: &str) -> Result<Simulation, Error> {
+    let text = format!(
+        r#"
+        [run]
+        seed = 5
+        end_time = "5 s"
+        [channel]
+        use = "free-space"
+        range_limit = "30 m"
+        {before}
+        [[model]]
+        use = "instrument-bee"
+        name = "bee"
+        count = 20
+        start = {{ box = ["3 m", "3 m", "3 m"] }}
+        vehicle = {{ use = "simple-bee", bee_collisions = true }}
+        sensor.compass = {{ use = "compass" }}
+        radio = {{ use = "cc2420" }}
+        {after}
+        "#
+    );
+    let loaded = load_text("bees", &text, &Request::default()).map_err(|r| {
+        Error::Scenario(simbeeotic::scenario::render::faults(
+            &r.faults, &r.sources, false,
+        ))
+    })?;
+    let setup = loaded
+        .setup()
+        .map_err(|f| Error::Scenario(format!("{f:?}")))?;
+    Simulation::new(setup).map_err(|e| Error::Scenario(e.to_string()))
+}
+
+fn traces(mut run: Simulation) -> Vec<Option<u64>> {
+    run.run_until(SimTime::from_secs(5)).expect("it runs");
+    (0..20)
+        .map(|i| run.model_trace(&format!("bee-{i}")))
+        .collect()
+}
+
+const FAR_AWAY: &str = r#"
+        [[model]]
+        use = "instrument-bee"
+        name = "hermit"
+        start = ["10 km", "0 m", "3 m"]
+        sensor.compass = { use = "compass" }
+        radio = { use = "cc2420" }
+"#;
+
+#[test]
+fn a_bee_ten_kilometres_away_changes_no_other_bee() {
+    let alone = traces(bees("", "").expect("a good scenario"));
+    assert!(alone.iter().all(Option::is_some));
+    assert_eq!(
+        alone,
+        traces(bees("", FAR_AWAY).expect("a good scenario")),
+        "added last"
+    );
+    assert_eq!(
+        alone,
+        traces(bees(FAR_AWAY, "").expect("a good scenario")),
+        "added first: other numbers"
+    );
+
+    let near = FAR_AWAY.replace("10 km", "1 m");
+    assert_ne!(
+        alone,
+        traces(bees("", &near).expect("a good scenario")),
+        "one in their midst does"
+    );
+}
+
+#[test]
+fn a_run_in_pieces_is_the_same_run() {
+    let mut whole = bees("", "").expect("a good scenario");
+    whole.run_until(SimTime::from_secs(5)).expect("it runs");
+    let mut pieces = bees("", "").expect("a good scenario");
+    for k in 1..=100 {
+        pieces
+            .run_until(SimTime::from_nanos(49_999_999 * k))
+            .expect("it runs");
+    }
+    pieces.run_until(SimTime::from_secs(5)).expect("it runs");
+    assert_eq!(whole.trace().total(), pieces.trace().total());
+}
+
+#[test]
+fn figure_12_as_printed_and_in_toml_are_one_run() {
+    let program = Program::new();
+    let xml = shipped("scenarios/figure12.xml");
+    let toml = shipped("scenarios/figure12.toml");
+    // The whole of it takes minutes; 300 bees and two seconds tell the two files apart as well.
+    let small = [
+        "--no-record",
+        "--end-time",
+        "2 s",
+        "--set",
+        "model.instrument-bee.count=300",
+    ];
+    let from_xml = program.trace(&[&[xml.as_str()], &small[..]].concat());
+    assert_eq!(
+        from_xml,
+        program.trace(&[&[toml.as_str()], &small[..]].concat())
+    );
+
+    let converted = program.call(&["convert", &xml, "-o", "converted.toml"]);
+    assert_eq!(converted.code, Some(0), "{}", converted.err);
+    assert_eq!(
+        from_xml,
+        program.trace(&[&["converted.toml"], &small[..]].concat())
+    );
+}

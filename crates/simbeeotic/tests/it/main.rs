@@ -1,0 +1,8 @@
+//! The program as its users meet it: commands, files, errors, repeatability.
+
+mod book;
+mod bounds;
+mod commands;
+mod determinism;
+mod program;
+mod shelf;
