@@ -121,7 +121,7 @@ impl Cx<'_> {
         });
     }
 
-    /// Writes a line into the log of the run (console and recording).
+    /// Writes a line into the log of the run: it is recorded, and `run --log` prints it.
     pub fn log(&mut self, text: impl Display) {
         self.out.effect(Effect::Log(text.to_string()));
     }

@@ -9,7 +9,7 @@ use crate::swarm::{Agent, Core, MailRoom, Swarm};
 use crate::view::Origin;
 use simbeeotic_kernel::Stream;
 use simbeeotic_kernel::rng::path_key;
-use simbeeotic_kernel::{Limits, Timers};
+use simbeeotic_kernel::{Limits, ModelId, Timers};
 use simbeeotic_physics::{Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
 use simbeeotic_units::Pose;
@@ -77,6 +77,9 @@ pub enum SetupError {
         /// The path.
         path: String,
     },
+    /// Two paths have the same 64-bit key, which happens once in a billion swarms of 200,000.
+    #[error("`{0}` and `{1}` cannot be told apart by their keys; rename one of them")]
+    KeyCollision(String, String),
     /// A pace that is not a number above zero.
     #[error(transparent)]
     Pace(#[from] simbeeotic_kernel::pace::PaceError),
@@ -95,7 +98,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     let (mut agents, mut bodies, mut owners) = (Vec::new(), Vec::new(), Vec::new());
     let mut keys = Vec::with_capacity(plans.len());
     for plan in &plans {
-        let parent = plan.parent.map(|at| simbeeotic_kernel::ModelId(at as u32));
+        let parent = plan.parent.map(|at| ModelId(at as u32));
         let member = Member {
             path: plan.path.clone(),
             kind: plan.kind,
@@ -141,6 +144,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         };
         agents.push(Agent { model, core });
     }
+    check_keys(&keys, &population)?;
     let swarm = Swarm {
         physics,
         gravity: setup.physics.gravity,
@@ -163,4 +167,17 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         medium_nanos: 0,
     };
     Ok((swarm, agents))
+}
+
+/// Chance and traces hang on the keys of paths: no two may be the same.
+fn check_keys(keys: &[u64], population: &Population) -> Result<(), SetupError> {
+    let mut order: Vec<u32> = (0..keys.len() as u32).collect();
+    order.sort_unstable_by_key(|i| keys[*i as usize]);
+    match order.windows(2).find(|pair| keys[pair[0] as usize] == keys[pair[1] as usize]) {
+        Some(pair) => {
+            let path = |i: u32| population.path(ModelId(i)).to_owned();
+            Err(SetupError::KeyCollision(path(pair[0]), path(pair[1])))
+        }
+        None => Ok(()),
+    }
 }

@@ -123,6 +123,9 @@ pub(super) struct RunOptions {
     /// Do not record, whatever the scenario says
     #[arg(long)]
     pub(super) no_record: bool,
+    /// Print what models write to the log, as it happens
+    #[arg(long)]
+    pub(super) log: bool,
     /// No progress bar, no summary: errors only
     #[arg(long, short)]
     pub(super) quiet: bool,

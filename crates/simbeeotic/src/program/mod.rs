@@ -15,6 +15,7 @@ mod bench;
 mod convert;
 mod export;
 mod input;
+mod log;
 mod new;
 mod run;
 mod shelf;

@@ -29,6 +29,9 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
         setup.limits.wall = std::time::Duration::try_from_secs_f64(wall.get()).ok();
     }
     choose_recording(&mut setup, &options)?;
+    if options.log {
+        setup.components.push(("log".to_owned(), Box::new(super::log::LogPrinter)));
+    }
     let before_s = started.elapsed().as_secs_f64();
     let mut simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;
     simulation.add_init_time(before_s);
