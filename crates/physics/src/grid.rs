@@ -114,6 +114,12 @@ impl Grid {
         ((x << self.bits | y) << self.bits) | z
     }
 
+    /// The items of the buckets `from..=to`.
+    #[inline]
+    fn run(&self, from: usize, to: usize) -> &[Item] {
+        &self.items[self.start[from] as usize..self.start[to + 1] as usize]
+    }
+
     /// Calls `visit` for each item whose cube comes within `radius` of `p`, and for some others.
     #[inline]
     pub(crate) fn around(&self, p: DVec3, radius: f64, mut visit: impl FnMut(&Item)) {
@@ -125,12 +131,22 @@ impl Grid {
             self.items.iter().for_each(visit);
             return;
         }
+        // Buckets along z lie side by side: a column is one run of items, or two where it wraps.
+        let (bottom, top) = (
+            (low[2] & (side - 1)) as usize,
+            (high[2] & (side - 1)) as usize,
+        );
         for x in low[0]..=high[0] {
             for y in low[1]..=high[1] {
-                for z in low[2]..=high[2] {
-                    let bucket = self.key([x, y, z]) as usize;
-                    let (from, to) = (self.start[bucket] as usize, self.start[bucket + 1] as usize);
-                    self.items[from..to].iter().for_each(&mut visit);
+                let column = self.key([x, y, 0]) as usize;
+                if bottom <= top {
+                    self.run(column + bottom, column + top)
+                        .iter()
+                        .for_each(&mut visit);
+                } else {
+                    let last = column + side as usize - 1;
+                    self.run(column + bottom, last).iter().for_each(&mut visit);
+                    self.run(column, column + top).iter().for_each(&mut visit);
                 }
             }
         }

@@ -115,6 +115,7 @@ impl Lists {
     }
 
     /// Tells the big bodies from the others.
+    #[inline(never)]
     fn sort_out(&mut self, mean_reach: f64) {
         self.big.clear();
         self.common_reach = 0.0;
@@ -129,15 +130,15 @@ impl Lists {
 
     /// Finds each pair once, from the one that reaches farther: so a big body asks far, and the others
     /// need not.
+    #[inline(never)]
     fn find_pairs(&mut self, agree: impl Fn(u32, u32) -> bool) {
         self.pairs.clear();
         let (grid, pairs) = (&self.grid, &mut self.pairs);
         for item in grid.items() {
             grid.around(item.centre, 2.0 * item.reach(), |other| {
-                let shorter = (other.reach, other.id) < (item.reach, item.id);
                 let touch = item.reach() + other.reach();
-                if shorter
-                    && item.centre.distance_squared(other.centre) <= touch * touch
+                if item.centre.distance_squared(other.centre) <= touch * touch
+                    && (other.reach, other.id) < (item.reach, item.id)
                     && agree(item.id, other.id)
                 {
                     pairs.push((item.id, other.id));
@@ -147,6 +148,7 @@ impl Lists {
     }
 
     /// Writes each pair into the lists of both.
+    #[inline(never)]
     fn fill(&mut self) {
         for &(a, b) in &self.pairs {
             self.balls[a as usize].first += 1;

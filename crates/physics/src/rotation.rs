@@ -205,3 +205,55 @@ fn step_log2(rate: f64, spin_up: f64) -> u8 {
     let nanos = (step_s * 1e9) as u64;
     (nanos.max(1).ilog2() as u8).clamp(least, most)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Euler, step_log2, turn_by};
+    use glam::{DQuat, DVec3};
+
+    /// A tumbling body under torque after 1 s, in `steps` steps.
+    fn tumbled(steps: u32) -> (DQuat, DVec3) {
+        let euler = Euler {
+            spin_up: DVec3::new(0.3, -0.2, 0.5),
+            ratio: DVec3::new(-0.5, 0.7, -0.4),
+        };
+        let h = 1.0 / f64::from(steps);
+        let start = (DQuat::IDENTITY, DVec3::new(1.0, 2.0, -1.5));
+        (0..steps).fold(start, |(q, w), _| euler.advance(q, w, h))
+    }
+
+    #[test]
+    fn halving_the_step_divides_the_error_by_sixteen() {
+        let (q, w) = tumbled(2048);
+        let error = |steps| {
+            let (q_coarse, w_coarse) = tumbled(steps);
+            ((q_coarse - q).length(), w_coarse.distance(w))
+        };
+        let (coarse, fine) = (error(16), error(32));
+        for ratio in [coarse.0 / fine.0, coarse.1 / fine.1] {
+            assert!((13.0..20.0).contains(&ratio), "{ratio}");
+        }
+    }
+
+    #[test]
+    fn the_series_of_a_turn_agrees_with_sine_and_cosine() {
+        for degree in 0..360 {
+            let angle = f64::from(degree).to_radians();
+            let turn = turn_by(DVec3::new(0.0, angle, 0.0));
+            let (sin, cos) = libm::sincos(0.5 * angle);
+            assert!(
+                (turn.y - sin).abs() < 2e-16 && (turn.w - cos).abs() < 2e-16,
+                "{degree} deg"
+            );
+        }
+    }
+
+    #[test]
+    fn the_step_follows_rate_and_torque_within_its_range() {
+        assert_eq!(step_log2(0.0, 0.0), 27);
+        assert_eq!(step_log2(1e4, 0.0), 11);
+        // 0.02 rad at 1 rad/s are 20 ms; 2^24 ns are 16.8 ms.
+        assert_eq!(step_log2(1.0, 0.0), 24);
+        assert_eq!(step_log2(0.0, 1e9), 11);
+    }
+}
