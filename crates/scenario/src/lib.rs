@@ -1,7 +1,47 @@
-//! Simbeeotic: scenario and world files to a checked plan to a simulation.
+//! Scenario and world files to a checked plan to the set-up of a run.
+//!
+//! ```text
+//!  x.toml --toml--+                       +-- faults, all at once --> render
+//!                 +--> tree of nodes --plan
+//!  x.xml  --xml---+      ^     |          +-- Plan --> Setup --> Simulation
+//!                        |     +--print--> x.toml
+//!            --set a.b=c-+
+//! ```
+//! Whatever a scenario was written in, it becomes one tree whose nodes know their places. Parts
+//! read their parameters from it; what is wrong, anywhere, is told together, each fault with its
+//! line and a guess at what was meant.
+//!
+//! ```
+//! use simbeeotic_scenario::{Request, load_text, render};
+//!
+//! let rejected = load_text("swarm.toml", "[run]\nend_tiem = \"10 s\"\n", &Request::default())
+//!     .err()
+//!     .expect("it is wrong");
+//! let text = render::faults(&rejected.faults, &rejected.sources, false);
+//! assert!(text.contains("swarm.toml:2:1"));
+//! assert!(text.contains("did you mean `end_time`?"));
+//! ```
+//!
+//! Reading order: [`load`] (the whole way), [`toml`] and [`xml`] (text to tree), [`set`] (changes
+//! from the command line), [`plan`] (tree to parts), [`render`] (faults to text), [`print`] (tree
+//! to text), [`schema`] (for editors), [`limit`] (how large an input may be).
+
 pub mod limit;
+pub mod load;
+pub mod plan;
 pub mod print;
 pub mod render;
+pub mod schema;
 pub mod set;
 pub mod toml;
+mod world;
 pub mod xml;
+
+pub use load::{
+    Converted, Loaded, Rejected, Request, convert_file, convert_world, load_file, load_text,
+};
+pub use plan::Plan;
+
+// The tests read scenarios, and those name parts.
+#[cfg(test)]
+use simbeeotic_models as _;

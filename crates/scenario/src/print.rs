@@ -38,8 +38,15 @@ pub fn to_toml(node: &Node) -> String {
     let mut text = String::new();
     match &node.value {
         Value::Table(table) => section(&mut text, &[], table),
-        _ => value(&mut text, node),
+        _ => list_or_inline(&mut text, node),
     }
+    text
+}
+
+/// A value on one line, as it stands behind a `=`.
+pub fn value(node: &Node) -> String {
+    let mut text = String::new();
+    inline(&mut text, node);
     text
 }
 
@@ -50,7 +57,7 @@ fn section(text: &mut String, path: &[&str], table: &Table) {
         if !stands_alone(&key.text, node, named) {
             text.push_str(&quoted_key(&key.text));
             text.push_str(" = ");
-            value(text, node);
+            list_or_inline(text, node);
             text.push('\n');
         }
     }
@@ -124,7 +131,7 @@ fn fits(node: &Node) -> bool {
 }
 
 /// A value behind `key = `, on several lines if it is a long list.
-fn value(text: &mut String, node: &Node) {
+fn list_or_inline(text: &mut String, node: &Node) {
     match &node.value {
         Value::Array(items) if !fits(node) => {
             text.push_str("[\n");

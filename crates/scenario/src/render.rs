@@ -15,22 +15,13 @@ use annotate_snippets::{AnnotationKind, Group, Level as Severity, Origin, Render
 use simbeeotic_model::config::{Fault, Level, Source, Sources, Span};
 use std::ops::Range;
 
-/// Whether a terminal shows the text.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
-    /// Characters only.
-    #[default]
-    Plain,
-    /// With ANSI colours.
-    Color,
-}
-
-/// All faults as text, in the order given. Of very many only the first are shown, errors before
-/// warnings and notes.
-pub fn render(faults: &[Fault], sources: &Sources, style: Style) -> String {
-    let renderer = match style {
-        Style::Plain => Renderer::plain(),
-        Style::Color => Renderer::styled(),
+/// All faults as text, in the order given, with ANSI colours if `color`; if there are errors, the
+/// last line counts them. Of very many only the first are shown, errors before warnings and notes.
+pub fn faults(faults: &[Fault], sources: &Sources, color: bool) -> String {
+    let renderer = if color {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
     };
     let mut text = String::new();
     for fault in shown(faults) {
@@ -40,7 +31,28 @@ pub fn render(faults: &[Fault], sources: &Sources, style: Style) -> String {
     if faults.len() > FAULTS_SHOWN {
         text.push_str(&format!("... and {} more\n\n", faults.len() - FAULTS_SHOWN));
     }
+    if faults.iter().any(Fault::is_error) {
+        text.push_str(&summary(faults, &names(faults, sources)));
+        text.push('\n');
+    }
     text
+}
+
+/// The names of the files that errors are in.
+fn names(faults: &[Fault], sources: &Sources) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for span in faults
+        .iter()
+        .filter(|f| f.is_error())
+        .filter_map(|f| f.span)
+    {
+        if let Some(source) = sources.get(span.source)
+            && !names.contains(&source.name.as_str())
+        {
+            names.push(&source.name);
+        }
+    }
+    names.join(", ")
 }
 
 fn shown(faults: &[Fault]) -> impl Iterator<Item = &Fault> {
@@ -147,9 +159,14 @@ pub fn summary(faults: &[Fault], name: &str) -> String {
         }
     }
     if parts.is_empty() {
-        return format!("no errors in {name}");
+        parts.push("no errors".to_owned());
     }
-    format!("{} in {name}", parts.join(", "))
+    let counted = parts.join(", ");
+    if name.is_empty() {
+        counted
+    } else {
+        format!("{counted} in {name}")
+    }
 }
 
 #[cfg(test)]
@@ -161,7 +178,7 @@ mod tests {
         let mut sources = Sources::new();
         let id = sources.add("x.toml", text);
         let fault = Fault::error(Span::new(id, start, end), "it is wrong").help("make it right");
-        render(&[fault], &sources, Style::Plain)
+        faults(&[fault], &sources, false)
     }
 
     #[test]
@@ -174,6 +191,8 @@ mod tests {
           |         ^^
           |
           = help: make it right
+
+        1 error in x.toml
         ");
     }
 
@@ -187,6 +206,8 @@ mod tests {
           |      ^
           |
           = help: make it right
+
+        1 error in x.toml
         ");
     }
 
@@ -200,6 +221,8 @@ mod tests {
           | ^^^^^
           |
           = help: make it right
+
+        1 error in x.toml
         ");
     }
 
@@ -223,17 +246,17 @@ mod tests {
 
     #[test]
     fn a_fault_without_a_place_shows_its_message() {
-        let text = render(&[Fault::warning(None, "hm")], &Sources::new(), Style::Plain);
+        let text = faults(&[Fault::warning(None, "hm")], &Sources::new(), false);
         assert_eq!(text, "warning: hm\n\n");
         let nowhere = Fault::warning(Span::new(SourceId(9), 0, 1), "hm");
-        assert_eq!(render(&[nowhere], &Sources::new(), Style::Plain), text);
+        assert_eq!(faults(&[nowhere], &Sources::new(), false), text);
     }
 
     #[test]
     fn errors_are_shown_before_warnings_when_there_are_too_many() {
-        let mut faults = vec![Fault::warning(None, "hm"); 100];
-        faults.push(Fault::error(None, "wrong"));
-        let text = render(&faults, &Sources::new(), Style::Plain);
+        let mut all = vec![Fault::warning(None, "hm"); 100];
+        all.push(Fault::error(None, "wrong"));
+        let text = faults(&all, &Sources::new(), false);
         assert!(
             text.contains("error: wrong") && text.contains("... and 41 more"),
             "{text}"
@@ -242,14 +265,14 @@ mod tests {
 
     #[test]
     fn the_summary_counts() {
-        let faults = [
+        let all = [
             Fault::error(None, "a"),
             Fault::error(None, "b"),
             Fault::warning(None, "c"),
             Fault::note(None, "d"),
         ];
         assert_eq!(
-            summary(&faults, "x.toml"),
+            summary(&all, "x.toml"),
             "2 errors, 1 warning, 1 note in x.toml"
         );
         assert_eq!(summary(&[], "x.toml"), "no errors in x.toml");

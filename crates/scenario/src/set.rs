@@ -210,7 +210,7 @@ fn element(items: &[Node], key: &Key) -> Result<usize, Fault> {
 mod tests {
     use super::*;
     use crate::print::to_toml;
-    use crate::render::{Style, render};
+    use crate::render;
 
     const SCENARIO: &str = r#"
         [run]
@@ -230,7 +230,7 @@ mod tests {
         let mut root = crate::toml::parse(SCENARIO, id).expect("valid");
         match apply(&mut root, argument, &mut sources) {
             Ok(()) => Ok(to_toml(&root)),
-            Err(faults) => Err(render(&faults, &sources, Style::Plain)),
+            Err(faults) => Err(render::faults(&faults, &sources, false)),
         }
     }
 
@@ -272,6 +272,8 @@ mod tests {
           |             ^^^
           |
           = help: did you mean `bee`?
+
+        1 error in command line
         ");
     }
 

@@ -1,0 +1,332 @@
+//! From a file, or a text, to a checked scenario; from that to a run.
+
+use crate::plan::{self, Context, Plan, folder_of, group};
+use crate::print::to_toml;
+use crate::xml::{self, Document};
+use simbeeotic_model::component::Component;
+use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
+use simbeeotic_model::registry::Make;
+use simbeeotic_model::world::{Calm, Weather};
+use simbeeotic_model::{Origin, Setup};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What is asked for besides the scenario itself.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// A world file that replaces the scenario's.
+    pub world: Option<PathBuf>,
+    /// Values that are changed: `run.end_time=5 s`. See [`crate::set`].
+    pub sets: Vec<String>,
+}
+
+/// A scenario that can run.
+pub struct Loaded {
+    name: String,
+    plan: Plan,
+    tree: Node,
+    faults: Vec<Fault>,
+    sources: Sources,
+}
+
+/// A scenario that cannot run, and why.
+#[derive(Debug)]
+pub struct Rejected {
+    /// Everything that is wrong with it, in the order of the text; warnings and notes too.
+    pub faults: Vec<Fault>,
+    /// The texts that the faults point into.
+    pub sources: Sources,
+}
+
+/// A scenario or a world as TOML.
+#[derive(Debug)]
+pub struct Converted {
+    /// The text.
+    pub toml: String,
+    /// Warnings and notes.
+    pub faults: Vec<Fault>,
+    /// The texts that the faults point into.
+    pub sources: Sources,
+}
+
+/// Reads and checks a scenario file: TOML, or the original's XML.
+///
+/// Files that it names are looked for in its own folder.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn load_file(path: &Path, request: &Request) -> Result<Loaded, Rejected> {
+    let mut reading = Reading::default();
+    let text = read_text(path, None, &mut reading.sources, &mut reading.faults);
+    match text {
+        Some((source, text)) => reading.load(&text, source, folder_of(path), request),
+        None => Err(reading.reject()),
+    }
+}
+
+/// Reads and checks a scenario in a text; `name` is what errors call it.
+///
+/// Files that it names are looked for in the folder that the program runs in.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn load_text(name: &str, text: &str, request: &Request) -> Result<Loaded, Rejected> {
+    let mut reading = Reading::default();
+    let source = reading.sources.add(name, text);
+    reading.load(text, source, PathBuf::new(), request)
+}
+
+/// Reads and checks a scenario file and gives it as TOML. `world` is the world file that it shall
+/// name, beside it.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Rejected> {
+    let request = Request {
+        world: world.map(Path::to_path_buf),
+        sets: Vec::new(),
+    };
+    let mut loaded = load_file(path, &request)?;
+    if let Some(name) = world.and_then(Path::file_name)
+        && let Some(table) = loaded.tree.as_table_mut()
+    {
+        table.set(
+            "world",
+            Node::string(Span::default(), name.to_string_lossy()),
+        );
+    }
+    let Loaded {
+        tree,
+        faults,
+        sources,
+        ..
+    } = loaded;
+    Ok(Converted {
+        toml: to_toml(&tree),
+        faults,
+        sources,
+    })
+}
+
+/// Reads and checks a world file and gives it as TOML.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn convert_world(path: &Path) -> Result<Converted, Rejected> {
+    let Reading {
+        mut sources,
+        mut faults,
+    } = Reading::default();
+    let text = read_text(path, None, &mut sources, &mut faults);
+    let node = text.and_then(|(source, text)| crate::world::tree(&text, source, &mut faults));
+    let node = node.filter(|node| crate::world::check(node, &mut faults).is_some());
+    match node {
+        Some(node) => Ok(Converted {
+            toml: to_toml(&node),
+            faults,
+            sources,
+        }),
+        None => Err(Rejected { faults, sources }),
+    }
+}
+
+#[derive(Default)]
+struct Reading {
+    sources: Sources,
+    faults: Vec<Fault>,
+}
+
+impl Reading {
+    fn load(
+        mut self,
+        text: &str,
+        source: SourceId,
+        folder: PathBuf,
+        request: &Request,
+    ) -> Result<Loaded, Rejected> {
+        let read = if xml::looks_like_xml(text) {
+            xml::parse(text, source, Document::Scenario)
+        } else {
+            crate::toml::parse(text, source).map(|node| (node, Vec::new()))
+        };
+        let mut tree = match read {
+            Ok((tree, warnings)) => {
+                self.faults.extend(warnings);
+                tree
+            }
+            Err(faults) => {
+                self.faults.extend(faults);
+                return Err(self.reject());
+            }
+        };
+        for argument in &request.sets {
+            if let Err(faults) = crate::set::apply(&mut tree, argument, &mut self.sources) {
+                self.faults.extend(faults);
+            }
+        }
+        let mut cx = Context {
+            faults: std::mem::take(&mut self.faults),
+            sources: &mut self.sources,
+            folder,
+            world: request.world.clone(),
+        };
+        let plan = plan::plan(&tree, &mut cx);
+        self.faults = cx.faults;
+        self.faults.sort_by_key(|f| f.span);
+        match plan {
+            Some(plan) if !self.faults.iter().any(Fault::is_error) => {
+                let name = self.sources.get(source).map_or("", |s| &s.name).to_owned();
+                let Self { faults, sources } = self;
+                Ok(Loaded {
+                    name,
+                    plan,
+                    tree,
+                    faults,
+                    sources,
+                })
+            }
+            _ => Err(self.reject()),
+        }
+    }
+
+    fn reject(mut self) -> Rejected {
+        if !self.faults.iter().any(Fault::is_error) {
+            self.faults
+                .push(Fault::error(None, "this scenario cannot be read"));
+        }
+        Rejected {
+            faults: self.faults,
+            sources: self.sources,
+        }
+    }
+}
+
+impl Loaded {
+    /// What the scenario is called: its file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The scenario, checked.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// The scenario as a tree, as it stands after all changes.
+    pub fn tree(&self) -> &Node {
+        &self.tree
+    }
+
+    /// The scenario as TOML, as it stands after all changes.
+    pub fn toml(&self) -> String {
+        to_toml(&self.tree)
+    }
+
+    /// Warnings and notes.
+    pub fn faults(&self) -> &[Fault] {
+        &self.faults
+    }
+
+    /// The texts that faults point into.
+    pub fn sources(&self) -> &Sources {
+        &self.sources
+    }
+
+    /// What a run of it is made of. May be called again for another run.
+    ///
+    /// # Errors
+    /// A part that could be made when the scenario was checked cannot be made any more.
+    pub fn setup(&self) -> Result<Setup, Vec<Fault>> {
+        let plan = &self.plan;
+        let run = &plan.run;
+        let mut faults = Vec::new();
+        let medium = plan
+            .channel
+            .as_ref()
+            .map(|channel| channel.medium(run.seed));
+        let medium = match medium.transpose() {
+            Ok(medium) => medium.flatten(),
+            Err(message) => {
+                faults.push(Fault::error(None, message));
+                None
+            }
+        };
+        let weather = plan.weather.as_ref().map(|choice| match choice.part.make {
+            Make::Weather(make) => make(&choice.params),
+            _ => Ok(Arc::new(Calm) as Arc<dyn Weather>),
+        });
+        let weather = match weather.transpose() {
+            Ok(weather) => weather.unwrap_or_else(|| Arc::new(Calm)),
+            Err(found) => {
+                faults.extend(found);
+                Arc::new(Calm)
+            }
+        };
+        let mut components: Vec<(String, Box<dyn Component>)> = Vec::new();
+        for choice in &plan.components {
+            let Make::Component(make) = choice.part.make else {
+                continue;
+            };
+            match make(&choice.params) {
+                Ok(component) => components.push((choice.part.label.name.to_owned(), component)),
+                Err(found) => faults.extend(found),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let name = if plan.name.is_empty() {
+            &self.name
+        } else {
+            &plan.name
+        };
+        Ok(Setup {
+            origin: Origin {
+                name: name.clone(),
+                scenario: self.toml(),
+                seed: run.seed,
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+            },
+            limits: run.limits.clone(),
+            threads: run.threads,
+            pace: run.pace,
+            physics: plan.physics,
+            medium,
+            weather,
+            world: Arc::clone(&plan.world),
+            models: group::models(&plan.models, run.seed),
+            components,
+        })
+    }
+}
+
+/// The text of a file, and the id that its spans carry. `asked` is where another file names it.
+pub(crate) fn read_text(
+    path: &Path,
+    asked: Option<Span>,
+    sources: &mut Sources,
+    faults: &mut Vec<Fault>,
+) -> Option<(SourceId, Arc<str>)> {
+    let name = path.display().to_string();
+    let bytes = match std::fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            faults.push(Fault::error(asked, format!("cannot read {name}: {error}")));
+            return None;
+        }
+    };
+    match String::from_utf8(bytes) {
+        Ok(text) => {
+            let text: Arc<str> = text.into();
+            Some((sources.add(name, Arc::clone(&text)), text))
+        }
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+            let source = sources.add(name, text);
+            let fault = Fault::error(Span::new(source, at, at), "from here on this is not UTF-8");
+            faults.push(fault.help("save the file as UTF-8"));
+            None
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! What a model carries: sensors and radios, and where they sit.
+
+use super::section::{Section, read};
+use super::shared::choice;
+use super::{Choice, part};
+use simbeeotic_model::config::{Fault, Node, Table};
+use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
+use simbeeotic_model::radio::{Antenna, Isotropic};
+use simbeeotic_model::registry::{Kind, Make};
+use simbeeotic_units::glam::DVec3;
+use simbeeotic_units::{Angle, Attitude, Mount, Offset, Yaw, math};
+use std::sync::Arc;
+
+/// What a radio is called that stands alone.
+const RADIO: &str = "radio";
+
+/// Reads the keys `sensor` and `radio` of a model.
+pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPlan {
+    let mut gear = GearPlan::default();
+    if let Some(node) = section.get("sensor") {
+        for (name, node) in named_tables(node, "sensor", faults) {
+            gear.sensors.extend(sensor(name, node, faults));
+        }
+    }
+    if let Some(node) = section.get("radio") {
+        let single = node
+            .as_table()
+            .is_some_and(|t| t.get("use").is_some() || only_values(t));
+        if single {
+            gear.radios.extend(radio(RADIO, node, faults));
+        } else {
+            for (name, node) in named_tables(node, "radio", faults) {
+                gear.radios.extend(radio(name, node, faults));
+            }
+        }
+    }
+    gear
+}
+
+/// Whether a table has entries, and none that is a table itself.
+fn only_values(table: &Table) -> bool {
+    !table.is_empty()
+        && table
+            .entries
+            .iter()
+            .all(|(_, node)| node.as_table().is_none())
+}
+
+/// The tables in a table, each with its name.
+fn named_tables<'n>(
+    node: &'n Node,
+    what: &str,
+    faults: &mut Vec<Fault>,
+) -> Vec<(&'n str, &'n Node)> {
+    let Some(table) = node.as_table() else {
+        let message = format!(
+            "{} where a table `[model.{what}.NAME]` is wanted",
+            node.value.kind()
+        );
+        faults.push(Fault::error(node.span, message));
+        return Vec::new();
+    };
+    let mut all = Vec::new();
+    for (key, inner) in &table.entries {
+        if inner.as_table().is_some() {
+            if good_name(&key.text) {
+                all.push((key.text.as_str(), inner));
+            } else {
+                faults.push(Fault::error(key.span, format!("`{}` is no name", key.text)));
+            }
+        } else {
+            let message = format!("a {what} needs a name: [model.{what}.NAME]");
+            faults.push(Fault::error(key.span, message));
+        }
+    }
+    all
+}
+
+/// Whether a word can be part of a path: not empty, no `/`, no control characters, no blanks at its
+/// ends.
+pub(super) fn good_name(name: &str) -> bool {
+    !name.is_empty()
+        && name.trim() == name
+        && !name.chars().any(|c| c == '/' || c.is_control())
+        && name.len() <= 200
+}
+
+fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan> {
+    let mut section = Section::open(node, "a sensor", faults)?;
+    let part = part(&mut section, Kind::Sensor, faults);
+    let mount = mount(&mut section, faults);
+    let part = part?;
+    let params = section.rest(part, faults);
+    let Make::Sensor(make) = part.make else {
+        return None;
+    };
+    let factory = make(&params).map_err(|found| faults.extend(found)).ok()?;
+    Some(SensorPlan {
+        name: name.to_owned(),
+        factory,
+        mount: mount?,
+    })
+}
+
+fn radio(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<RadioPlan> {
+    let mut section = Section::open(node, "a radio", faults)?;
+    let part = part(&mut section, Kind::Radio, faults);
+    let mount = mount(&mut section, faults);
+    let antenna = match section.get("antenna") {
+        Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| antenna(&c, faults)),
+        None => Some(Arc::new(Isotropic::default()) as Arc<dyn Antenna>),
+    };
+    let part = part?;
+    let params = section.rest(part, faults);
+    let Make::Radio(make) = part.make else {
+        return None;
+    };
+    let spec = make(&params).map_err(|found| faults.extend(found)).ok()?;
+    if let Err(error) = spec.check() {
+        faults.push(Fault::error(node.span, error.to_string()));
+        return None;
+    }
+    Some(RadioPlan {
+        name: name.to_owned(),
+        spec,
+        antenna: antenna?,
+        mount: mount?,
+    })
+}
+
+fn antenna(choice: &Choice, faults: &mut Vec<Fault>) -> Option<Arc<dyn Antenna>> {
+    let Make::Antenna(make) = choice.part.make else {
+        return None;
+    };
+    make(&choice.params)
+        .map_err(|found| faults.extend(found))
+        .ok()
+}
+
+/// `mount = { position = [...], attitude = { yaw = "90 deg" } }`, or `pointing = [x, y, z]` instead
+/// of an attitude: the direction in the body's frame that the gear looks in.
+fn mount(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Mount> {
+    let Some(node) = section.get("mount") else {
+        return Some(Mount::default());
+    };
+    let mut section = Section::open(node, "a mount", faults)?;
+    let position: Option<Offset> = section.read("position", faults);
+    let attitude: Option<Attitude> = section.read("attitude", faults);
+    let pointing = section.entry("pointing");
+    let pointed = pointing.map(|(key, node)| {
+        if section.get("attitude").is_some() {
+            let message = "`attitude` and `pointing` say the same: one will do";
+            faults.push(Fault::error(key.span, message));
+        }
+        let direction: DVec3 = read::<[f64; 3]>(node, faults)?.into();
+        if direction == DVec3::ZERO {
+            let message = "a direction is not the zero vector";
+            faults.push(Fault::error(node.span, message));
+            return None;
+        }
+        Some(looking(direction))
+    });
+    section.finish(faults);
+    let attitude = match pointed {
+        Some(pointed) => pointed?,
+        None => attitude.unwrap_or(Attitude::IDENTITY),
+    };
+    Some(Mount::new(position.unwrap_or(Offset::ZERO), attitude))
+}
+
+/// The attitude whose forward axis is `direction`, without roll.
+fn looking(direction: DVec3) -> Attitude {
+    let level = math::hypot(direction.x, direction.y);
+    let yaw = if level == 0.0 {
+        0.0
+    } else {
+        math::atan2(direction.y, direction.x)
+    };
+    let pitch = -math::atan2(direction.z, level);
+    Attitude::from_rpy(Angle::ZERO, Angle::si(pitch), Yaw::new(Angle::si(yaw)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gear_looks_where_it_points() {
+        for direction in [
+            DVec3::X,
+            DVec3::Y,
+            -DVec3::X,
+            DVec3::Z,
+            -DVec3::Z,
+            DVec3::new(1.0, 1.0, -1.0),
+            DVec3::new(-2.0, 0.5, 3.0),
+        ] {
+            let forward = looking(direction).forward();
+            assert!(
+                (forward - direction.normalize()).length() < 1e-12,
+                "{direction}: {forward}"
+            );
+        }
+    }
+}

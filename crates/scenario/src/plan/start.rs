@@ -1,0 +1,466 @@
+//! Where models start: a point, or a place drawn or counted off for each of them.
+//!
+//! | text | each model starts |
+//! |---|---|
+//! | `["1 m", "2 m", "0 m"]` | there |
+//! | `{ point = [...] }` | there, with a heading, say |
+//! | `{ box = [...], from = [...] }` | anywhere in the box from one corner on |
+//! | `{ ball = "20 m", center = [...] }` | anywhere in the ball that is above the ground |
+//! | `{ grid = [4, 3, 2], spacing = "2 m", from = [...] }` | at its own point of the grid, `x` first |
+//! | `{ list = [[...], [...]] }` | at its own point of the list |
+//! | `{ file = "positions.csv" }` | at its own line: `x, y, z` in metres |
+//!
+//! With each of them `yaw = "90 deg"` or `heading = "0 deg"` turns the model; `"random"` turns each
+//! one its own way. Draws hang on the seed and the model's path: nobody else moves when a model is
+//! added.
+
+use super::Context;
+use super::section::{Section, read};
+use simbeeotic_model::config::{Fault, Node, Span, Value};
+use simbeeotic_model::kernel::Stream;
+use simbeeotic_units::glam::DVec3;
+use simbeeotic_units::{Attitude, Heading, Length, Pose, Position, Yaw, math};
+use std::f64::consts::TAU;
+
+/// Where the models of one entry start.
+#[derive(Clone, Debug)]
+pub(super) struct Start {
+    placing: Placing,
+    turn: Turn,
+}
+
+#[derive(Clone, Debug)]
+enum Placing {
+    Point(DVec3),
+    Box {
+        from: DVec3,
+        size: DVec3,
+    },
+    Ball {
+        center: DVec3,
+        radius_m: f64,
+    },
+    Grid {
+        from: DVec3,
+        spacing: DVec3,
+        cells: [u64; 3],
+    },
+    List(Vec<DVec3>),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Turn {
+    Fixed(Attitude),
+    Random,
+}
+
+/// The forms of a start, by their key.
+const FORMS: [&str; 6] = ["point", "box", "ball", "grid", "list", "file"];
+/// Less of a ball above the ground than this part of it is refused.
+const LEAST_ABOVE_GROUND: f64 = 1e-3;
+/// Draws until a point of a ball lies above the ground, at most.
+const DRAWS_MAX: usize = 100_000;
+/// Longest list of starts.
+const LIST_MAX: usize = 10_000_000;
+
+impl Default for Start {
+    fn default() -> Self {
+        Self {
+            placing: Placing::Point(DVec3::ZERO),
+            turn: Turn::Fixed(Attitude::IDENTITY),
+        }
+    }
+}
+
+impl Start {
+    /// How many models it has places for; `None`: for any number.
+    pub(super) fn places(&self) -> Option<u64> {
+        match &self.placing {
+            Placing::Grid { cells, .. } => Some(cells.iter().product()),
+            Placing::List(list) => Some(list.len() as u64),
+            _ => None,
+        }
+    }
+
+    /// Where model number `index` starts, which is at `path`.
+    pub(super) fn pose(&self, seed: u64, path: &str, index: u64) -> Pose {
+        let mut stream = Stream::new(seed, path, "start");
+        let position = match &self.placing {
+            Placing::Point(point) => *point,
+            Placing::Box { from, size } => {
+                let share = [stream.uniform(), stream.uniform(), stream.uniform()];
+                *from + *size * DVec3::from_array(share)
+            }
+            Placing::Ball { center, radius_m } => above_ground(&mut stream, *center, *radius_m),
+            Placing::Grid {
+                from,
+                spacing,
+                cells: [nx, ny, _],
+            } => {
+                let (nx, ny) = ((*nx).max(1), (*ny).max(1));
+                let (x, y, z) = (index % nx, index / nx % ny, index / nx / ny);
+                *from + *spacing * DVec3::new(x as f64, y as f64, z as f64)
+            }
+            Placing::List(list) => usize::try_from(index)
+                .ok()
+                .and_then(|i| list.get(i))
+                .copied()
+                .unwrap_or_default(),
+        };
+        let attitude = match self.turn {
+            Turn::Fixed(attitude) => attitude,
+            Turn::Random => {
+                let angle = simbeeotic_units::Angle::si(stream.uniform() * TAU);
+                Attitude::from_yaw(Yaw::new(angle))
+            }
+        };
+        Pose::new(Position::from_si(position), attitude)
+    }
+
+    /// Reads a start.
+    pub(super) fn read(node: &Node, cx: &mut Context<'_>) -> Option<Self> {
+        if node.as_array().is_some() {
+            let point: Position = read(node, &mut cx.faults)?;
+            return Some(Self {
+                placing: Placing::Point(point.si()),
+                ..Self::default()
+            });
+        }
+        let mut section = Section::open(node, "a start", &mut cx.faults)?;
+        let given: Vec<&'static str> = FORMS
+            .into_iter()
+            .filter(|form| section.get(form).is_some())
+            .collect();
+        let form = match given.as_slice() {
+            [one] => *one,
+            [] => {
+                section.known_turns();
+                section.finish(&mut cx.faults);
+                let message = "this start says nowhere";
+                let fault = Fault::error(node.span, message);
+                cx.faults
+                    .push(fault.help("one of `point`, `box`, `ball`, `grid`, `list`, `file`"));
+                return None;
+            }
+            [_, second, ..] => {
+                let span = section.entry(second).map_or(node.span, |(key, _)| key.span);
+                let message = format!("`{}` and `{second}` say two different places", given[0]);
+                cx.faults.push(Fault::error(span, message));
+                return None;
+            }
+        };
+        let value = section.get(form)?;
+        let placing = cx.placing(form, value, &mut section);
+        let turn = turn(&mut section, &mut cx.faults);
+        section.finish(&mut cx.faults);
+        Some(Self {
+            placing: placing?,
+            turn: turn?,
+        })
+    }
+}
+
+impl Section<'_> {
+    /// Makes the keys of a turn known, for guesses.
+    fn known_turns(&mut self) {
+        for key in ["yaw", "heading", "from", "center", "spacing"] {
+            self.get(key);
+        }
+    }
+}
+
+impl Context<'_> {
+    fn placing(&mut self, form: &str, value: &Node, section: &mut Section<'_>) -> Option<Placing> {
+        let faults = &mut self.faults;
+        match form {
+            "point" => Some(Placing::Point(read::<Position>(value, faults)?.si())),
+            "box" => {
+                let from = section
+                    .read::<Position>("from", faults)
+                    .unwrap_or(Position::ZERO);
+                let size = read::<Position>(value, faults)?.si();
+                if size.min_element() < 0.0 {
+                    faults.push(Fault::error(
+                        value.span,
+                        "the size of a box is not negative",
+                    ));
+                    return None;
+                }
+                Some(Placing::Box {
+                    from: from.si(),
+                    size,
+                })
+            }
+            "ball" => {
+                let center = section
+                    .read::<Position>("center", faults)
+                    .unwrap_or(Position::ZERO);
+                let radius_m = read::<Length>(value, faults)?.get();
+                let center = center.si();
+                if radius_m < 0.0 {
+                    faults.push(Fault::error(
+                        value.span,
+                        "the radius of a ball is not negative",
+                    ));
+                    return None;
+                }
+                if share_above_ground(center.z, radius_m) < LEAST_ABOVE_GROUND {
+                    let message = "this ball is all, or almost all, under the ground";
+                    faults.push(Fault::error(value.span, message));
+                    return None;
+                }
+                Some(Placing::Ball { center, radius_m })
+            }
+            "grid" => {
+                let from = section
+                    .read::<Position>("from", faults)
+                    .unwrap_or(Position::ZERO);
+                let spacing = section.required("spacing", "spacing = \"2 m\"", faults);
+                let cells: Option<[u64; 3]> = read(value, faults);
+                let spacing = spacing.and_then(|node| match node.value {
+                    Value::Array(_) => read::<Position>(node, faults).map(Position::si),
+                    _ => read::<Length>(node, faults).map(|l| DVec3::splat(l.get())),
+                });
+                let cells = cells?;
+                let product = cells.iter().try_fold(1_u64, |all, n| all.checked_mul(*n));
+                if !product.is_some_and(|n| (1..=crate::limit::MODELS_MAX).contains(&n)) {
+                    let message = "a grid has at least one point, and not too many";
+                    faults.push(Fault::error(value.span, message));
+                    return None;
+                }
+                Some(Placing::Grid {
+                    from: from.si(),
+                    spacing: spacing?,
+                    cells,
+                })
+            }
+            "list" => {
+                let list: Vec<Position> = read(value, faults)?;
+                if list.is_empty() {
+                    faults.push(Fault::error(value.span, "this list of starts is empty"));
+                    return None;
+                }
+                Some(Placing::List(list.into_iter().map(Position::si).collect()))
+            }
+            _ => {
+                let name: String = read(value, faults)?;
+                let list = self.positions(&name, value.span)?;
+                Some(Placing::List(list))
+            }
+        }
+    }
+
+    /// The positions in a file of lines `x, y, z`, in metres. A first line of words is a heading;
+    /// empty lines and lines that begin with `#` do not count.
+    fn positions(&mut self, name: &str, asked: Span) -> Option<Vec<DVec3>> {
+        let (source, text) = self.read_file(name, Some(asked))?;
+        let mut list = Vec::new();
+        let mut from = 0;
+        let faults_before = self.faults.len();
+        for (number, line) in text.split('\n').enumerate() {
+            let span = Span::new(source, from, from + line.trim_end().len());
+            from += line.len() + 1;
+            let bare = line.trim();
+            if bare.is_empty() || bare.starts_with('#') {
+                continue;
+            }
+            let numbers: Vec<Option<f64>> = bare
+                .split(',')
+                .map(|n| n.trim().parse().ok().filter(|n: &f64| n.is_finite()))
+                .collect();
+            match numbers.as_slice() {
+                [Some(x), Some(y), Some(z)] => list.push(DVec3::new(*x, *y, *z)),
+                words if number == 0 && words.iter().all(Option::is_none) => {}
+                _ => {
+                    let fault = Fault::error(span, "this line is no position");
+                    self.faults
+                        .push(fault.help("three numbers in metres: 1.0, 2.0, 0.0"));
+                }
+            }
+            if list.len() > LIST_MAX {
+                self.faults
+                    .push(Fault::error(span, "this file has too many positions"));
+                return None;
+            }
+        }
+        if self.faults.len() > faults_before {
+            return None;
+        }
+        if list.is_empty() {
+            self.faults
+                .push(Fault::error(asked, "there are no positions in this file"));
+            return None;
+        }
+        Some(list)
+    }
+}
+
+/// How a start is turned: by `yaw` or by `heading`, or not.
+fn turn(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Turn> {
+    let (yaw, heading) = (section.entry("yaw"), section.entry("heading"));
+    let random = |node: &Node| node.as_str() == Some("random");
+    match (yaw, heading) {
+        (Some((_, _)), Some((key, _))) => {
+            faults.push(Fault::error(
+                key.span,
+                "`yaw` and `heading` say the same: one will do",
+            ));
+            None
+        }
+        (Some((_, node)), None) | (None, Some((_, node))) if random(node) => Some(Turn::Random),
+        (Some((_, node)), None) => read(node, faults).map(Attitude::from_yaw).map(Turn::Fixed),
+        (None, Some((_, node))) => read::<Heading>(node, faults)
+            .map(Attitude::from_heading)
+            .map(Turn::Fixed),
+        (None, None) => Some(Turn::Fixed(Attitude::IDENTITY)),
+    }
+}
+
+/// A point of a ball, uniform over what of it is above the ground.
+fn above_ground(stream: &mut Stream, center: DVec3, radius_m: f64) -> DVec3 {
+    for _ in 0..DRAWS_MAX {
+        let point = center + stream.in_ball(radius_m);
+        if point.z >= 0.0 {
+            return point;
+        }
+    }
+    DVec3::new(center.x, center.y, (center.z + radius_m).max(0.0))
+}
+
+/// Which part of a ball's volume lies above the plane `z = 0`: that of the spherical cap of height
+/// `h`, `pi h^2 (3 r - h) / 3`, over that of the ball.
+fn share_above_ground(center_z_m: f64, radius_m: f64) -> f64 {
+    if radius_m == 0.0 {
+        return if center_z_m >= 0.0 { 1.0 } else { 0.0 };
+    }
+    let h = (center_z_m + radius_m).clamp(0.0, 2.0 * radius_m) / radius_m;
+    math::pow(h, 2.0) * (3.0 - h) / 4.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::testing::with_context;
+
+    fn start(text: &str) -> Result<Start, Vec<Fault>> {
+        with_context(&format!("s = {text}"), |root, cx| {
+            let node = root
+                .as_table()
+                .and_then(|t| t.get("s"))
+                .expect("it is there");
+            Start::read(node, cx)
+        })
+    }
+
+    fn places(text: &str, n: u64) -> Vec<DVec3> {
+        let start = start(text).expect("a good start");
+        (0..n)
+            .map(|i| start.pose(7, &format!("bee-{i}"), i).position.si())
+            .collect()
+    }
+
+    #[test]
+    fn a_point_is_a_point() {
+        assert_eq!(
+            places(r#"["1 m", "2 m", "3 cm"]"#, 1),
+            [DVec3::new(1.0, 2.0, 0.03)]
+        );
+        assert_eq!(
+            places(r#"{ point = ["1 m", "2 m", "3 m"] }"#, 1),
+            [DVec3::new(1.0, 2.0, 3.0)]
+        );
+    }
+
+    #[test]
+    fn a_box_is_filled_from_its_corner_on() {
+        let all = places(
+            r#"{ box = ["2 m", "4 m", "8 m"], from = ["-1 m", "0 m", "1 m"] }"#,
+            4000,
+        );
+        let mean = all.iter().sum::<DVec3>() / 4000.0;
+        assert!(
+            (mean - DVec3::new(0.0, 2.0, 5.0)).abs().max_element() < 0.2,
+            "{mean}"
+        );
+        let inside = |p: &DVec3| {
+            (-1.0..1.0).contains(&p.x) && (0.0..4.0).contains(&p.y) && (1.0..9.0).contains(&p.z)
+        };
+        assert!(all.iter().all(inside));
+    }
+
+    #[test]
+    fn a_ball_is_filled_above_the_ground() {
+        let all = places(r#"{ ball = "20 m" }"#, 4000);
+        assert!(all.iter().all(|p| p.length() <= 20.0 && p.z >= 0.0));
+        // The mean height of a half ball is 3 r / 8.
+        let mean = all.iter().sum::<DVec3>() / 4000.0;
+        assert!(
+            (mean - DVec3::new(0.0, 0.0, 7.5)).abs().max_element() < 0.7,
+            "{mean}"
+        );
+    }
+
+    #[test]
+    fn a_grid_counts_x_first() {
+        let all = places(
+            r#"{ grid = [2, 2, 2], spacing = "2 m", from = ["1 m", "0 m", "0 m"] }"#,
+            8,
+        );
+        assert_eq!(all[1], DVec3::new(3.0, 0.0, 0.0));
+        assert_eq!(all[2], DVec3::new(1.0, 2.0, 0.0));
+        assert_eq!(all[7], DVec3::new(3.0, 2.0, 2.0));
+        assert_eq!(
+            start("{ grid = [2, 3, 4], spacing = \"1 m\" }")
+                .expect("good")
+                .places(),
+            Some(24)
+        );
+    }
+
+    #[test]
+    fn a_model_starts_where_its_path_says_whoever_else_there_is() {
+        let start = start(r#"{ ball = "20 m", heading = "random" }"#).expect("good");
+        let one = start.pose(7, "bee-3", 3);
+        assert_eq!(start.pose(7, "bee-3", 99), one);
+        assert_ne!(start.pose(8, "bee-3", 3), one);
+        assert_ne!(start.pose(7, "bee-4", 3).attitude, one.attitude);
+    }
+
+    #[test]
+    fn heading_is_clockwise_from_north_and_yaw_counter_clockwise_from_east() {
+        let north = start(r#"{ point = ["0 m", "0 m", "0 m"], heading = "0 deg" }"#).expect("good");
+        let forward = north.pose(1, "a", 0).attitude.forward();
+        assert!((forward - DVec3::Y).length() < 1e-12);
+        let east = start(r#"{ point = ["0 m", "0 m", "0 m"], yaw = "0 deg" }"#).expect("good");
+        assert!((east.pose(1, "a", 0).attitude.forward() - DVec3::X).length() < 1e-12);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for text in [
+            "12",
+            "{}",
+            r#"["1 m", "2 m"]"#,
+            r#"["1 m", "2 m", "3"]"#,
+            r#"["1 m", "2 m", "3 s"]"#,
+            r#"{ bal = "20 m" }"#,
+            r#"{ ball = "-20 m" }"#,
+            r#"{ ball = "20 m", center = ["0 m", "0 m", "-20 m"] }"#,
+            r#"{ ball = "20 m", from = ["0 m", "0 m", "0 m"] }"#,
+            r#"{ ball = "20 m", box = ["1 m", "1 m", "1 m"] }"#,
+            r#"{ box = ["1 m", "-1 m", "1 m"] }"#,
+            r#"{ grid = [2, 2], spacing = "1 m" }"#,
+            r#"{ grid = [2, 2, 2] }"#,
+            r#"{ grid = [0, 2, 2], spacing = "1 m" }"#,
+            r#"{ grid = [-1, 2, 2], spacing = "1 m" }"#,
+            r#"{ grid = [100000, 100000, 100000], spacing = "1 m" }"#,
+            r#"{ list = [] }"#,
+            r#"{ list = [["1 m", "2 m"]] }"#,
+            r#"{ file = "no-such-file.csv" }"#,
+            r#"{ point = ["0 m", "0 m", "0 m"], yaw = "0 deg", heading = "0 deg" }"#,
+            r#"{ point = ["0 m", "0 m", "0 m"], yaw = "north" }"#,
+        ] {
+            assert!(start(text).is_err(), "{text}");
+        }
+    }
+}
