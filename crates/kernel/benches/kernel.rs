@@ -114,6 +114,9 @@ impl Domain for Empty {
             }
         }
     }
+    fn warm(&self, _: ModelId, (timers, count): &Self::Agent) -> u64 {
+        count ^ timers.next_firing(0).map_or(0, SimTime::nanos)
+    }
     fn commit(&mut self, _: ModelId, (): (), _: &mut Committing<'_>) {}
     fn close(&mut self, _: SimTime) -> bool {
         false

@@ -7,7 +7,7 @@ use std::{cmp::Ordering, fmt};
 ///
 /// Ids are dense and start at 0. They say nothing about identity over time: two runs with different
 /// populations number the same path differently. What must not change then (random streams, trace
-/// words) hangs on the key of the path, see `rng::path_key`.
+/// words) hangs on the key of the path, see [`path_key`](crate::rng::path_key).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(transparent)]
 pub struct ModelId(pub u32);
@@ -28,7 +28,7 @@ impl fmt::Display for ModelId {
 
 /// Why a model is woken: two words that mean something to the receiver and nothing to the kernel.
 ///
-/// Tags from [`Wake::TIMER`] up belong to `Timers`; a domain that uses them takes
+/// Tags from [`Wake::TIMER`] up belong to [`Timers`](crate::Timers); a domain that uses them takes
 /// its own tags from below.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Wake {
@@ -39,7 +39,7 @@ pub struct Wake {
 }
 
 impl Wake {
-    /// The bit of `tag` that marks the wake-ups of `Timers`.
+    /// The bit of `tag` that marks the wake-ups of [`Timers`](crate::Timers).
     pub const TIMER: u32 = 1 << 31;
 
     /// A wake-up with these two words.

@@ -36,6 +36,16 @@ pub trait Domain: Send + Sync {
     /// Runs one agent with its events of this round. `self` is as it was after [`open`](Domain::open).
     fn run(&self, agent: &mut Self::Agent, visit: &Visit<'_>, out: &mut Outbox<Self::Effect>);
 
+    /// Reads a little of what [`run`](Domain::run) will need of an agent: a word of its own memory, of
+    /// its body. Called for a group of agents just before they are run, so that the memory of all of
+    /// them is fetched at once instead of one after the other; with 100,000 agents, most of the time of
+    /// an event is waiting for memory. Returns any mix of the words read, so that the compiler keeps
+    /// the reads; what it is does not matter.
+    fn warm(&self, id: ModelId, agent: &Self::Agent) -> u64 {
+        let _ = (id, agent);
+        0
+    }
+
     /// Applies one effect. Effects come in the order of agents, and of each agent in the order in
     /// which it asked for them.
     fn commit(&mut self, id: ModelId, effect: Self::Effect, cx: &mut Committing<'_>);

@@ -8,11 +8,13 @@ use super::{
     round::{CHUNK, Round, list_calls, message},
 };
 use crate::{
-    ModelId, PendingEvents, SimTime,
+    Event, ModelId, PendingEvents, SimTime,
     pace::Gate,
+    queue::Queue,
     stats::{Watch, is_big},
 };
 use std::{
+    hint::black_box,
     panic::{AssertUnwindSafe, catch_unwind},
     sync::Arc,
 };
@@ -26,6 +28,10 @@ pub(super) enum Phase {
     Close,
 }
 
+/// Agents whose memory is fetched together.
+const WARM: usize = 16;
+/// Fewer agents than this stay in the caches by themselves.
+const COLD_FROM: usize = 4096;
 /// How many of the models in a loop are named.
 const NAMED: usize = 16;
 /// The last rounds before the limit are watched for who is awake.
@@ -164,14 +170,13 @@ impl<D: Domain> Engine<D> {
     /// One round of the instant: the order of work that the module's page shows.
     fn one_round(&mut self, events_due: bool) -> Result<(), RunError> {
         let mut watch = Watch::start(self.stats.rounds, self.last_big);
-        let wall = &mut self.stats.wall;
-
         self.batch.clear();
         if events_due {
             self.queue.pop_instant(&mut self.batch);
         }
+        self.warm_upcoming();
         watch.size(self.batch.len());
-        watch.lap(&mut wall.queue_s);
+        watch.lap(&mut self.stats.wall.queue_s);
 
         self.phase = Phase::Open;
         let mut failure = None;
@@ -184,7 +189,7 @@ impl<D: Domain> Engine<D> {
             failure: &mut failure,
         });
         list_calls(&self.batch, &mut self.extra, &mut self.calls);
-        watch.lap(&mut wall.open_s);
+        watch.lap(&mut self.stats.wall.open_s);
 
         self.stats.rounds += 1;
         self.stats.visits += self.calls.len() as u64;
@@ -214,6 +219,28 @@ impl<D: Domain> Engine<D> {
         self.again = self.domain.close(self.now);
         watch.lap(&mut self.stats.wall.close_s);
         Ok(())
+    }
+
+    /// Has the memory of the agents fetched that will run next, a group at a time.
+    #[inline]
+    fn warm_upcoming(&mut self) {
+        if self.warmed > self.batch.len() {
+            self.warmed -= self.batch.len();
+        } else if self.agents.len() >= COLD_FROM {
+            self.warm_group();
+        }
+    }
+
+    fn warm_group(&mut self) {
+        let next = self.queue.upcoming();
+        let next = &next[..next.len().min(WARM)];
+        let mut word = 0;
+        for event in next {
+            let index = event.receiver.index();
+            word ^= self.books[index].seq ^ self.domain.warm(event.receiver, &self.agents[index]);
+        }
+        black_box(word);
+        self.warmed = next.len();
     }
 
     /// Runs the agents of the round; returns how many outboxes hold what they asked for.
@@ -300,16 +327,11 @@ impl<D: Domain> Engine<D> {
     /// Puts the events of the round into the queue. Their order does not matter: they have a total one.
     fn flush(&mut self, used: usize) -> Result<(), RunError> {
         let mut last = None;
-        for events in self.boxes[..used]
-            .iter_mut()
-            .map(|out| &mut out.events)
-            .chain([&mut self.committed])
-        {
-            last = events.last().map(|event| event.sender).or(last);
-            for event in events.drain(..) {
-                self.queue.push(event);
-            }
+        for out in &mut self.boxes[..used] {
+            last = drain_into(&mut self.queue, &mut out.events).or(last);
         }
+        last = drain_into(&mut self.queue, &mut self.committed).or(last);
+
         let (pending, limit) = (self.queue.len(), self.settings.limits.queue);
         match last {
             Some(last) if pending > limit => {
@@ -371,4 +393,15 @@ impl<D: Domain> Engine<D> {
             _ => Ok(()),
         }
     }
+}
+
+/// Moves events into the queue; returns who sent the last of them.
+#[inline]
+fn drain_into(queue: &mut Queue, events: &mut Vec<Event>) -> Option<ModelId> {
+    let last = events.last()?.sender;
+    for event in &*events {
+        queue.push(*event);
+    }
+    events.clear();
+    Some(last)
 }

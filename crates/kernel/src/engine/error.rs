@@ -4,15 +4,15 @@ use crate::{ModelId, SimTime};
 
 /// What ended a run. After any of these the engine is over: each further call gives the same error.
 ///
-/// Everything up to the instant before `time` has been done and stands, so that recordings can be
-/// closed; the round that failed has had no effect on the trace.
+/// Everything before `time` has been done and stands, so that recordings can be closed. What stands of
+/// the round that failed, the page [`engine`](crate::engine) says.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RunError {
     /// A model broke an invariant of its own.
     #[error("{path} panicked at {time} (seed {seed}): {message}")]
     Panic {
-        /// The model that ran, or whose effect was being applied; empty between models.
+        /// The model that ran, or whose effect was being applied.
         path: String,
         /// When.
         time: SimTime,

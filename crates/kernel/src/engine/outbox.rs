@@ -60,17 +60,16 @@ impl<E> Outbox<E> {
         self.id = visit.id;
         self.now = visit.now;
         self.seq = book.seq;
+        // Keys are well mixed: a key and a small number in one word collide as rarely as two keys.
         let mut digest = Trace::START;
-        digest.fold(visit.now.nanos());
-        digest.fold(book.key);
+        digest.fold(book.key ^ visit.now.nanos());
         for event in visit.events {
             let sender = if event.sender == visit.id {
                 book.key
             } else {
                 keys[event.sender.index()]
             };
-            digest.fold(sender);
-            digest.fold(event.seq);
+            digest.fold(sender ^ event.seq);
             digest.fold(u64::from(event.wake.tag) << 32 | u64::from(event.wake.arg));
         }
         self.digest = digest;

@@ -109,8 +109,20 @@ pub(super) fn message(payload: &(dyn Any + Send)) -> String {
 }
 
 /// Lists who is visited in a round: the receivers of `events` (sorted) and `extra`, each once, by id.
+#[inline]
 pub(super) fn list_calls(events: &[Event], extra: &mut Vec<ModelId>, calls: &mut Vec<Call>) {
     calls.clear();
+    match (events, &extra[..]) {
+        ([event], []) => calls.push(Call {
+            id: event.receiver,
+            from: 0,
+            to: 1,
+        }),
+        _ => merge_calls(events, extra, calls),
+    }
+}
+
+fn merge_calls(events: &[Event], extra: &mut Vec<ModelId>, calls: &mut Vec<Call>) {
     extra.sort_unstable();
     extra.dedup();
     let mut extra = extra.drain(..).peekable();

@@ -29,6 +29,11 @@ pub trait PendingEvents: Send {
     /// Appends all events of the earliest instant to `batch`, in order, and returns that instant.
     fn pop_instant(&mut self, batch: &mut Vec<Event>) -> Option<SimTime>;
 
+    /// Some of the events that come next, if they are at hand: a hint for fetching memory early.
+    fn upcoming(&self) -> &[Event] {
+        &[]
+    }
+
     /// How many events wait.
     fn len(&self) -> usize;
 
@@ -86,6 +91,14 @@ impl PendingEvents for Queue {
         match self {
             Self::Wheel(wheel) => wheel.pop_instant(batch),
             Self::Heap(heap) => heap.pop_instant(batch),
+        }
+    }
+
+    #[inline]
+    fn upcoming(&self) -> &[Event] {
+        match self {
+            Self::Wheel(wheel) => wheel.upcoming(),
+            Self::Heap(heap) => heap.upcoming(),
         }
     }
 

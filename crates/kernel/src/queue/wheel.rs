@@ -18,6 +18,10 @@
 //! Two small sets take what comes too late for its tick: `again`, for the instant being served (the
 //! next round of zero-delay events), and `late`, a heap, for the rest of the tick.
 //!
+//! Where there are few events, a whole slot of level 1 is served as one wide tick: sorting some hundred
+//! events costs less than passing them through another level one by one (measured with 10,000 events
+//! in 100 ms: 18 against 29 ns for a pop and a push).
+//!
 //! Slots are chains of blocks from one arena with a free list: the memory in use is that of the events
 //! that wait, wherever on the wheel they are, and in steady state nothing is allocated.
 //!
@@ -36,6 +40,8 @@ const SLOTS: usize = 1 << DIGIT_BITS;
 const LEVELS: usize = (64 - TICK_BITS).div_ceil(DIGIT_BITS) as usize;
 /// Events in a block of the arena.
 const BLOCK: usize = 15;
+/// A slot of level 1 with at most this many blocks is served as one wide tick.
+const SHORT: usize = 40;
 /// No block.
 const NIL: u32 = u32::MAX;
 
@@ -177,6 +183,18 @@ impl Arena {
         next
     }
 
+    /// Whether a chain has few blocks.
+    fn is_short(&self, chain: Chain) -> bool {
+        let mut block = chain.head;
+        for _ in 0..SHORT {
+            if block == NIL {
+                return true;
+            }
+            block = self.blocks[block as usize].next;
+        }
+        block == NIL
+    }
+
     /// The events of one block.
     fn events(&self, index: u32) -> &[Event] {
         let block = &self.blocks[index as usize];
@@ -240,9 +258,15 @@ impl Wheel {
             let above = u64::MAX.checked_shl(shift + DIGIT_BITS).unwrap_or(0);
             self.tick = (self.tick & above) | (slot as u64) << shift;
 
+            // Few events in 4.2 ms: one tick as wide as that, instead of 64 with hardly anything in them.
+            let whole = level == 0 || level == 1 && self.arena.is_short(chain);
+            if whole {
+                self.tick |= (1 << shift) - 1;
+            }
+
             let mut block = chain.head;
             while block != NIL {
-                if level == 0 {
+                if whole {
                     self.front.extend_from_slice(self.arena.events(block));
                 } else {
                     self.move_down(block);
@@ -313,9 +337,11 @@ impl PendingEvents for Wheel {
         let start = batch.len();
 
         let rest = &self.front[self.cursor..];
-        let count = rest.iter().take_while(|event| event.time == time).count();
-        batch.extend_from_slice(&rest[..count]);
-        self.cursor += count;
+        match rest.iter().take_while(|event| event.time == time).count() {
+            1 => batch.push(rest[0]),
+            count => batch.extend_from_slice(&rest[..count]),
+        }
+        self.cursor += batch.len() - start;
 
         if !self.late.is_empty() || !self.again.is_empty() {
             let sorted = batch.len();
@@ -333,6 +359,11 @@ impl PendingEvents for Wheel {
         self.instant = self.instant.max(time);
         self.len -= batch.len() - start;
         Some(time)
+    }
+
+    #[inline]
+    fn upcoming(&self) -> &[Event] {
+        &self.front[self.cursor..]
     }
 
     fn len(&self) -> usize {

@@ -354,7 +354,7 @@ mod tests {
         for _ in 0..60_000 {
             let mut items = [0, 1, 2];
             s.shuffle(&mut items);
-            counts[(items[0] * 2 + usize::from(items[1] > items[2])) as usize] += 1;
+            counts[items[0] * 2 + usize::from(items[1] > items[2])] += 1;
         }
         assert!(
             counts.iter().all(|c| (9_600..10_400).contains(c)),
