@@ -67,7 +67,7 @@ pub(super) fn bench(options: &BenchOptions) -> Result<(), Failure> {
 fn measure(n: u32, options: &BenchOptions) -> Result<Row, Failure> {
     let text = scenario(n, options);
     let loaded = load_text("figure 7", &text, &Request::default())
-        .map_err(|rejected| Failure::run(input::rejected(&rejected)))?;
+        .map_err(|rejected| Failure::run(input::text_of(&rejected)))?;
     let mut setup = input::setup(&loaded)?;
     setup.threads = options.threads;
     let mut simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;

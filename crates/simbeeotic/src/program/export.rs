@@ -5,7 +5,7 @@ use super::{Failure, input, remark, show};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{ExportError, Exported, Recording, Selection, export_csv, export_parquet};
 use std::fs::File;
-use std::io::{BufWriter, Write, stdout};
+use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::num::NonZeroU64;
 use std::path::Path;
 
@@ -23,21 +23,22 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     let (exported, target) = match (&options.csv, &options.parquet) {
         (Some(path), _) if path == Path::new("-") => {
             let mut out = BufWriter::new(stdout().lock());
-            match export_csv(&recording, &selection, &mut out)
-                .and_then(|done| Ok((done, out.flush()?)))
-            {
+            let result = export_csv(&recording, &selection, &mut out);
+            return match result {
                 // A reader that has gone away (`| head`) has what it wanted.
-                Err(ExportError::Io(e)) if e.kind() == std::io::ErrorKind::BrokenPipe => {
-                    return Ok(());
-                }
-                result => return result.map(drop).map_err(failed),
-            }
+                Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
+                Err(error) => Err(failed(error)),
+                Ok(_) => match out.flush() {
+                    Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(e)),
+                    _ => Ok(()),
+                },
+            };
         }
         (Some(path), _) => {
             let file = File::create(path)
                 .map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
             (
-                export_csv(&recording, &selection, BufWriter::new(file)).map_err(failed)?,
+                export_csv(&recording, &selection, &mut BufWriter::new(file)).map_err(failed)?,
                 path.clone(),
             )
         }

@@ -4,7 +4,7 @@ use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
 use simbeeotic_model::config::{Key, Node, Span, Table, Value};
 use simbeeotic_model::{Setup, SetupError};
-use simbeeotic_scenario::{Loaded, Request, load_file, render};
+use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, render};
 use simbeeotic_units::Time;
 
 /// Reads and checks a scenario; shows warnings and notes unless `quiet`.
@@ -27,10 +27,15 @@ pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Fai
             }
             Ok(loaded)
         }
-        Err(rejected) => Err(Failure::input(
-            render::faults(&rejected.faults, &rejected.sources, colour()).trim_end(),
-        )),
+        Err(rejected) => Err(Failure::input(text_of(&rejected))),
     }
+}
+
+/// All faults of a rejected scenario, as text.
+pub(super) fn text_of(rejected: &Rejected) -> String {
+    render::faults(&rejected.faults, &rejected.sources, colour())
+        .trim_end()
+        .to_owned()
 }
 
 /// The run that a checked scenario describes.

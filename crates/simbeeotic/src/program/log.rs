@@ -11,7 +11,10 @@ impl LogPrinter {
     fn print(view: &View<'_>) {
         for mark in view.marks() {
             if let Mark::Log { time, model, text } = mark {
-                remark(format!("{time}  {}: {text}", view.population().path(*model)));
+                remark(format!(
+                    "{time}  {}: {text}",
+                    view.population().path(*model)
+                ));
             }
         }
     }

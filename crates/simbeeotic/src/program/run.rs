@@ -30,7 +30,9 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     }
     choose_recording(&mut setup, &options)?;
     if options.log {
-        setup.components.push(("log".to_owned(), Box::new(super::log::LogPrinter)));
+        setup
+            .components
+            .push(("log".to_owned(), Box::new(super::log::LogPrinter)));
     }
     let before_s = started.elapsed().as_secs_f64();
     let mut simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;
