@@ -44,6 +44,19 @@ fn thread_count_does_not_show() {
 }
 
 #[test]
+fn a_large_population_whose_memory_is_fetched_early_runs_the_same() {
+    let run = |threads, queue| {
+        let board = Board::new(paths(5000), 50);
+        let mut engine = engine_of(board, 7, settings(threads, queue));
+        engine.run_until(SimTime::from_millis(250)).unwrap();
+        engine.trace().total()
+    };
+    let reference = run(1, QueueKind::Heap);
+    assert_eq!(run(1, QueueKind::Wheel), reference);
+    assert_eq!(run(3, QueueKind::Wheel), reference);
+}
+
+#[test]
 fn a_run_can_be_split() {
     let reference = reference();
     let mut split = engine(settings(2, QueueKind::Wheel));

@@ -142,6 +142,10 @@ impl Domain for Board {
         }
     }
 
+    fn warm(&self, id: ModelId, counter: &Counter) -> u64 {
+        counter.count ^ self.cells[id.index()]
+    }
+
     fn commit(&mut self, id: ModelId, effect: Write, cx: &mut Committing<'_>) {
         match effect {
             Write::Cell(cell, word) => {
