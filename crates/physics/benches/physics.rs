@@ -62,7 +62,7 @@ impl Swarm {
             ground: None,
             ..Config::default()
         });
-        let side = (f64::from(count)).cbrt().ceil() as u32;
+        let side = libm::cbrt(f64::from(count)).ceil() as u32;
         for id in 0..count {
             let p_enu = match scene {
                 Scene::Ball20 => loop {

@@ -108,8 +108,10 @@ impl Physics {
         if !moving {
             return;
         }
-        for id in 0..self.motions.len() as u32 {
-            self.predict_ground(id, t);
+        if self.ground.is_some() {
+            for id in 0..self.motions.len() as u32 {
+                self.predict_ground(id, t);
+            }
         }
         for place in 0..self.lists.pairs().len() {
             let (a, b) = self.lists.pairs()[place];

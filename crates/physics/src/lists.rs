@@ -20,7 +20,7 @@ const FLOOR_M: f64 = 0.03;
 /// A reach of more than this times the mean makes a body big: it is looked at by everyone.
 const BIG: f64 = 4.0;
 /// Edge of a cube of the grid over the mean reach.
-const CELL: f64 = 6.0;
+const CELL: f64 = 5.0;
 /// Shortest and longest edge of a cube, m.
 const CELL_M_RANGE: (f64, f64) = (0.25, 1000.0);
 
@@ -115,7 +115,6 @@ impl Lists {
     }
 
     /// Tells the big bodies from the others.
-    #[inline(never)]
     fn sort_out(&mut self, mean_reach: f64) {
         self.big.clear();
         self.common_reach = 0.0;
@@ -130,7 +129,6 @@ impl Lists {
 
     /// Finds each pair once, from the one that reaches farther: so a big body asks far, and the others
     /// need not.
-    #[inline(never)]
     fn find_pairs(&mut self, agree: impl Fn(u32, u32) -> bool) {
         self.pairs.clear();
         let (grid, pairs) = (&self.grid, &mut self.pairs);
@@ -148,7 +146,6 @@ impl Lists {
     }
 
     /// Writes each pair into the lists of both.
-    #[inline(never)]
     fn fill(&mut self) {
         for &(a, b) in &self.pairs {
             self.balls[a as usize].first += 1;

@@ -300,8 +300,9 @@ impl Physics {
     /// one by one. `t` is the present; asking for another time is right, too, but slow.
     pub fn near(&self, p_enu: DVec3, radius_m: f64, t: SimTime, found: &mut Vec<BodyId>) {
         let mut candidates = Vec::new();
-        let present = self.lists.built() <= t && t <= self.horizon && !self.grown;
-        if present && self.dirty.is_empty() {
+        // Until the clock, every body is where the lists assume.
+        let listed = self.dirty.is_empty() && !self.grown;
+        if listed && self.lists.built() <= t && t <= self.clock.min(self.horizon) {
             self.lists.around(p_enu, radius_m, &mut candidates);
             candidates.extend_from_slice(&self.unlisted);
         } else {

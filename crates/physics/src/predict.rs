@@ -71,7 +71,7 @@ pub(crate) fn pair_passage(
         return None;
     }
     loop {
-        let to = SimTime::from_nanos((window + 1) << WINDOW_LOG2);
+        let to = SimTime::from_nanos((window + 1).saturating_mul(1 << WINDOW_LOG2));
         if let Some(s) = quartic.first_fall(seconds_between(from, to)) {
             return Some(after(from, s).max(now));
         }
