@@ -92,13 +92,14 @@ impl Spans {
     }
 }
 
-/// The books of one radio.
+/// The books of one radio. What a reception touches comes first.
 #[derive(Debug, Default)]
+#[repr(C)]
 pub(crate) struct Ledger {
-    tx: Spans,
     rx: Spans,
     /// Union of sending and receiving.
     busy: Spans,
+    tx: Spans,
     /// Sleep that is over, ns.
     slept_ns: u64,
     asleep_since_ns: Option<u64>,

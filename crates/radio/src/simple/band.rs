@@ -1,6 +1,6 @@
 //! One channel: the radios tuned to it, and the frames on it in this round. All in columns.
 
-use super::pair::Listeners;
+use super::pair::{Listeners, Reach};
 use crate::antenna::Antenna;
 use crate::channel::Channel;
 use crate::frame::Frame;
@@ -48,11 +48,13 @@ pub(super) struct Members {
     pub(super) curves: Vec<u32>,
     mounts: Vec<Mount>,
     /// Where the antennas are: east, north, up, metres. In `columns` only as long as they listen.
-    pub(super) places: Vec<[f32; 3]>,
+    pub(super) places: [Vec<f32>; 3],
     /// The antenna, if its gain depends on the direction.
     pub(super) directed: Vec<Option<Arc<dyn Antenna>>>,
     /// world_from_antenna, where it matters.
     pub(super) attitudes: Vec<Attitude>,
+    /// Whether some antenna may be off its platform's centre, or have a direction.
+    any_mounted: bool,
     /// Whether `directed` may hold an antenna.
     pub(super) any_directed: bool,
     /// Whether all have the curve of the first.
@@ -71,6 +73,9 @@ pub(super) struct Air {
     /// Power of the sender times the gain of an antenna without direction, milliwatts.
     pub(super) eirp_mw: Vec<f32>,
     pub(super) keys: Vec<u64>,
+    /// The halves of the keys.
+    pub(super) keys_low: Vec<u32>,
+    pub(super) keys_high: Vec<u32>,
     pub(super) radios: Vec<u32>,
     pub(super) radio_keys: Vec<u64>,
     /// Rows of the senders.
@@ -89,10 +94,8 @@ pub(super) struct Delivered {
     pub(super) hits: Vec<Hit>,
     /// First and number of the hits of each row.
     pub(super) spans: Vec<(u32, u32)>,
-    /// Rows with hits, ascending.
+    /// Rows with hits: of each hit until they are sorted, then ascending and each once.
     pub(super) rows: Vec<u32>,
-    /// Row of each hit as it was found, frame by frame.
-    found: Vec<(u32, Hit)>,
 }
 
 impl Band {
@@ -125,7 +128,7 @@ impl Band {
 
     /// Removes a row; returns the radio that now has this row, if any. In range and audible frames
     /// of the removed one come back.
-    pub(super) fn leave(&mut self, row: u32) -> (Option<u32>, [u64; 2]) {
+    pub(super) fn leave(&mut self, row: u32) -> (Option<u32>, Reach) {
         self.clear();
         self.posed = None;
         self.delivered.spans.pop();
@@ -160,9 +163,9 @@ impl Band {
     }
 
     /// Puts a frame of the radio in `row` on the air.
-    pub(super) fn send(&mut self, frame: Frame, row: u32, radio_key: u64, length: u32) {
+    pub(super) fn send(&mut self, frame: Frame, row: u32, length: u32) {
         self.sent += 1;
-        let air = &mut self.air;
+        let (air, columns) = (&mut self.air, &self.members.columns);
         if let Some(first) = air.frames.first() {
             air.alike &= air.lengths[0] == length && first.airtime_ns == frame.airtime_ns;
         } else {
@@ -170,10 +173,12 @@ impl Band {
         }
         air.addressed |= frame.destination.is_some();
         air.eirp_mw
-            .push(frame.power_mw * self.members.columns.gains[row as usize]);
+            .push(frame.power_mw * columns.gains[row as usize]);
         air.keys.push(frame.key);
+        air.keys_low.push(frame.key as u32);
+        air.keys_high.push((frame.key >> 32) as u32);
         air.radios.push(frame.radio.0);
-        air.radio_keys.push(radio_key);
+        air.radio_keys.push(columns.radio_keys[row as usize]);
         air.rows.push(row);
         air.lengths.push(length);
         air.frames.push(frame);
@@ -181,14 +186,9 @@ impl Band {
 
     /// Fills in where the frames come from.
     fn locate_frames(&mut self) {
-        for (axis, column) in self.air.enu_m.iter_mut().enumerate() {
+        for (column, places) in self.air.enu_m.iter_mut().zip(&self.members.places) {
             column.clear();
-            column.extend(
-                self.air
-                    .rows
-                    .iter()
-                    .map(|&row| self.members.places[row as usize][axis]),
-            );
+            column.extend(self.air.rows.iter().map(|&row| places[row as usize]));
         }
     }
 }
@@ -210,7 +210,8 @@ impl Members {
         self.awake.push(awake);
         self.curves.push(curve);
         self.mounts.push(spec.mount);
-        self.places.push([f32::NAN; 3]);
+        self.places.iter_mut().for_each(|axis| axis.push(f32::NAN));
+        self.any_mounted |= uniform.is_none() || spec.mount.position != Mount::IDENTITY.position;
         self.directed
             .push(uniform.is_none().then(|| Arc::clone(&spec.antenna)));
         self.any_directed |= uniform.is_none();
@@ -221,7 +222,7 @@ impl Members {
         row
     }
 
-    fn remove(&mut self, row: usize) -> (Option<u32>, [u64; 2]) {
+    fn remove(&mut self, row: usize) -> (Option<u32>, Reach) {
         let c = &mut self.columns;
         for axis in &mut c.enu_m {
             axis.swap_remove(row);
@@ -235,29 +236,42 @@ impl Members {
         self.awake.swap_remove(row);
         self.curves.swap_remove(row);
         self.mounts.swap_remove(row);
-        self.places.swap_remove(row);
+        for axis in &mut self.places {
+            axis.swap_remove(row);
+        }
         self.directed.swap_remove(row);
         self.attitudes.swap_remove(row);
-        let counts = [
-            self.in_range.swap_remove(row),
-            self.audible.swap_remove(row),
-        ];
-        (self.columns.radios.get(row).copied(), counts)
+        let reach = Reach {
+            in_range: self.in_range.swap_remove(row),
+            audible: self.audible.swap_remove(row),
+        };
+        (self.columns.radios.get(row).copied(), reach)
     }
 
     fn place(&mut self, positions: &[Position], poses: &dyn Poses) {
-        for (row, &centre) in positions.iter().enumerate().take(self.owners.len()) {
-            let mount = self.mounts[row];
-            let mut position = centre;
-            if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
-                let antenna = poses.pose(self.owners[row]) * mount;
-                position = antenna.position;
-                self.attitudes[row] = antenna.attitude;
+        let [east, north, up] = &mut self.places;
+        for (row, position) in positions.iter().enumerate().take(self.owners.len()) {
+            [east[row], north[row], up[row]] = position.si().as_vec3().to_array();
+        }
+        if self.any_mounted {
+            for row in 0..self.owners.len() {
+                let mount = self.mounts[row];
+                if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
+                    let antenna = poses.pose(self.owners[row]) * mount;
+                    self.attitudes[row] = antenna.attitude;
+                    let place = antenna.position.si().as_vec3().to_array();
+                    (0..3).for_each(|axis| self.places[axis][row] = place[axis]);
+                }
             }
-            let place = position.si().as_vec3().to_array();
-            self.places[row] = place;
-            for (column, place) in self.columns.enu_m.iter_mut().zip(place) {
-                column[row] = if self.awake[row] { place } else { f32::NAN };
+        }
+        for (column, places) in self.columns.enu_m.iter_mut().zip(&self.places) {
+            column.copy_from_slice(places);
+            for (place, _) in column
+                .iter_mut()
+                .zip(&self.awake)
+                .filter(|(_, awake)| !**awake)
+            {
+                *place = f32::NAN;
             }
         }
     }
@@ -268,6 +282,8 @@ impl Air {
         self.frames.clear();
         self.eirp_mw.clear();
         self.keys.clear();
+        self.keys_low.clear();
+        self.keys_high.clear();
         self.radios.clear();
         self.radio_keys.clear();
         self.rows.clear();
@@ -283,48 +299,54 @@ impl Delivered {
         }
         self.rows.clear();
         self.hits.clear();
-        self.found.clear();
     }
 
     /// Notes a reception. Frame by frame, rows ascending within a frame.
+    #[inline]
     pub(super) fn note(&mut self, row: u32, frame: u32, power_mw: f32) {
-        self.found.push((row, Hit { frame, power_mw }));
         self.spans[row as usize].1 += 1;
+        self.rows.push(row);
+        self.hits.push(Hit { frame, power_mw });
     }
 
     /// Sorts what was noted by row; within a row by frame.
     pub(super) fn sort(&mut self) {
-        if self.found.is_sorted_by_key(|&(row, _)| row) {
-            self.rows.extend(self.found.iter().map(|&(row, _)| row));
-            self.rows.dedup();
-        } else {
-            self.rows
-                .extend((0..self.spans.len() as u32).filter(|&row| self.spans[row as usize].1 > 0));
+        // One frame: already sorted, one hit a row.
+        if self.rows.is_sorted_by(|a, b| a < b) {
+            for (first, &row) in (0..).zip(&self.rows) {
+                self.spans[row as usize].0 = first;
+            }
+            return;
         }
         let mut first = 0;
-        for &row in &self.rows {
-            let span = &mut self.spans[row as usize];
-            span.0 = first;
-            first += span.1;
-            span.1 = 0;
+        for span in self.spans.iter_mut().filter(|span| span.1 > 0) {
+            let count = span.1;
+            *span = (first, 0);
+            first += count;
         }
-        self.hits.resize(self.found.len(), Hit::default());
-        for &(row, hit) in &self.found {
+        let mut sorted = vec![Hit::default(); self.hits.len()];
+        for (&row, &hit) in self.rows.iter().zip(&self.hits) {
             let span = &mut self.spans[row as usize];
-            self.hits[(span.0 + span.1) as usize] = hit;
+            sorted[(span.0 + span.1) as usize] = hit;
             span.1 += 1;
         }
-    }
-
-    /// Keeps only these of a row's hits.
-    pub(super) fn keep(&mut self, row: u32, hits: &[Hit]) {
-        let span = &mut self.spans[row as usize];
-        span.1 = hits.len() as u32;
-        self.hits[span.0 as usize..][..hits.len()].copy_from_slice(hits);
+        self.hits = sorted;
+        self.rows.sort_unstable();
+        self.rows.dedup();
     }
 
     pub(super) fn hits(&self, row: u32) -> &[Hit] {
         let (first, count) = self.spans[row as usize];
         &self.hits[first as usize..(first + count) as usize]
+    }
+
+    pub(super) fn hits_mut(&mut self, row: u32) -> &mut [Hit] {
+        let (first, count) = self.spans[row as usize];
+        &mut self.hits[first as usize..(first + count) as usize]
+    }
+
+    /// Keeps only the first hits of a row.
+    pub(super) fn truncate(&mut self, row: u32, count: usize) {
+        self.spans[row as usize].1 = count as u32;
     }
 }

@@ -8,7 +8,7 @@ use super::success::{Curve, Noise};
 use crate::channel::Channel;
 use crate::counters::{Counters, Loss};
 use crate::frame::{Frame, Outcome, Request};
-use crate::inbox::{Inbox, Receiver};
+use crate::inbox::Inbox;
 use crate::ledger::Usage;
 use crate::medium::{Command, Medium, Poses};
 use crate::propagation::Propagation;
@@ -26,6 +26,7 @@ pub struct SimpleMedium {
     config: SimpleConfig,
     /// The seed of this medium's draws.
     luck: u64,
+    specs: Vec<RadioSpec>,
     radios: Vec<Radio>,
     keys: BTreeSet<u64>,
     bands: Vec<Band>,
@@ -56,6 +57,7 @@ impl SimpleMedium {
         Ok(Self {
             luck: draw_u64(config.seed, path_key("radio"), path_key("simple")),
             config,
+            specs: Vec::new(),
             radios: Vec::new(),
             keys: BTreeSet::new(),
             bands: Vec::new(),
@@ -116,9 +118,8 @@ impl SimpleMedium {
         let radio = &self.radios[id.index()];
         let (old, awake) = (radio.band as usize, !radio.ledger.asleep());
         let left_sent = self.bands[old].sent;
-        let (follower, [in_range, audible]) = self.bands[old].leave(radio.row);
-        radio.in_range.add(in_range);
-        radio.audible.add(audible);
+        let (follower, reach) = self.bands[old].leave(radio.row);
+        radio.book_reach(reach);
         let row = radio.row;
         if let Some(follower) = follower {
             self.radios[follower as usize].row = row;
@@ -127,11 +128,14 @@ impl SimpleMedium {
         let joined_sent = self.bands[band as usize].sent;
         let radio = &mut self.radios[id.index()];
         radio.turn_over(left_sent, joined_sent);
-        (radio.band, radio.row, radio.spec) = (band, row, spec);
+        (radio.band, radio.row) = (band, row);
+        self.specs[id.index()] = spec;
     }
 
-    fn report(&mut self, request: &Request, result: Result<(), Loss>) {
+    /// Notes the outcome of a request, if its sender wants to know.
+    fn report(&mut self, now: SimTime, request: &Request, result: Result<(), Loss>) {
         if let Some(ticket) = request.ticket {
+            self.due = Some(now);
             self.reports
                 .push((request.radio, Outcome { ticket, result }));
         }
@@ -147,8 +151,7 @@ impl SimpleMedium {
                 || frame.bytes,
             );
             radio.presence.own += 1;
-            let band = &mut self.bands[radio.band as usize];
-            band.send(frame, radio.row, radio.spec.key, length);
+            self.bands[radio.band as usize].send(frame, radio.row, length);
         }
         for curve in &mut self.curves {
             curve.prepare(&self.lengths);
@@ -162,7 +165,7 @@ impl SimpleMedium {
         // Stable: the outcomes of a radio stay in the order of its requests.
         self.reports.sort_by_key(|&(radio, _)| radio);
         for (radio, outcome) in self.reports.drain(..) {
-            owners.push(self.radios[radio.index()].spec.owner);
+            owners.push(self.specs[radio.index()].owner);
             self.reported.push(radio);
             self.outcomes.push(outcome);
         }
@@ -206,7 +209,8 @@ impl SimpleMedium {
                     curve.table(lengths[j])[slot]
                 });
             }
-            heard.sort_out(air, radio.spec.owner, &mut scratch.hits, from);
+            let kept = heard.sort_out(air, members.owners[me], &mut scratch.hits[from..]);
+            scratch.hits.truncate(from + kept);
             if first_only && !scratch.hits.is_empty() {
                 break;
             }
@@ -246,18 +250,16 @@ impl SimpleMedium {
         }
         band.delivered.sort();
 
-        // What is not for its receiver is taken out again, after it has been booked.
         for index in 0..band.delivered.rows.len() {
             let row = band.delivered.rows[index];
-            let radio = &self.radios[members.columns.radios[row as usize] as usize];
-            scratch.hits.clear();
-            scratch.hits.extend_from_slice(band.delivered.hits(row));
+            let owner = members.owners[row as usize];
             let mut heard = Heard::default();
-            heard.sort_out(air, radio.spec.owner, &mut scratch.hits, 0);
-            band.delivered.keep(row, &scratch.hits);
-            radio.book(self.round, self.now, &heard);
-            if !scratch.hits.is_empty() {
-                owners.push(radio.spec.owner);
+            let kept = heard.sort_out(air, owner, band.delivered.hits_mut(row));
+            band.delivered.truncate(row, kept);
+            let radio = members.columns.radios[row as usize];
+            self.radios[radio as usize].book(self.now, &heard);
+            if kept > 0 {
+                owners.push(owner);
             }
         }
     }
@@ -267,16 +269,13 @@ impl SimpleMedium {
     fn find_receivers(&mut self, band: usize, owners: &mut Vec<ModelId>) {
         let mut scratch = std::mem::take(&mut self.scratch);
         let members = &self.bands[band].members;
-        for (&radio, &awake) in members.columns.radios.iter().zip(&members.awake) {
-            if !awake {
-                continue;
-            }
-            let radio = &self.radios[radio as usize];
+        for row in (0..members.owners.len()).filter(|&row| members.awake[row]) {
+            let radio = &self.radios[members.columns.radios[row] as usize];
             let heard = self.hear(radio, &mut scratch, true);
             if scratch.hits.is_empty() {
-                radio.book(self.round, self.now, &heard);
+                radio.book_round(self.round, self.now, &heard);
             } else {
-                owners.push(radio.spec.owner);
+                owners.push(members.owners[row]);
             }
         }
         self.scratch = scratch;
@@ -317,7 +316,8 @@ impl Medium for SimpleMedium {
         let id = RadioId(self.radios.len() as u32);
         let (band, row) = self.join(id, &spec, true);
         let band_sent = self.bands[band as usize].sent;
-        self.radios.push(Radio::new(spec, band, row, band_sent));
+        self.radios.push(Radio::new(band, row, band_sent));
+        self.specs.push(spec);
         Ok(id)
     }
 
@@ -326,44 +326,39 @@ impl Medium for SimpleMedium {
     }
 
     fn spec(&self, radio: RadioId) -> &RadioSpec {
-        &self.radios[radio.index()].spec
+        &self.specs[radio.index()]
     }
 
     fn submit(&mut self, now: SimTime, request: Request) {
         self.retune();
+        let spec = &self.specs[request.radio.index()];
         let radio = &mut self.radios[request.radio.index()];
-        let bytes = radio.spec.frame_bytes(request.payload.len());
-        let refused = if radio.ledger.asleep() {
-            Some(Loss::SenderAsleep)
-        } else if request.payload.len() > radio.spec.payload_bytes_max {
-            Some(Loss::TooLong)
-        } else {
-            None
-        };
-        if let Some(loss) = refused {
-            radio.refused.lose(loss, 1);
-            if request.ticket.is_some() {
-                self.due = Some(now);
-            }
-            return self.report(&request, Err(loss));
+        let bytes = spec.frame_bytes(request.payload.len());
+        if radio.ledger.asleep() {
+            radio.sent_asleep += 1;
+            return self.report(now, &request, Err(Loss::SenderAsleep));
         }
-        let airtime_ns = (radio.spec.data_rate.airtime(bytes).secs() * 1e9).round() as u64;
+        if request.payload.len() > spec.payload_bytes_max {
+            radio.too_long += 1;
+            return self.report(now, &request, Err(Loss::TooLong));
+        }
+        let airtime_ns = (spec.data_rate.airtime(bytes).secs() * 1e9).round() as u64;
         radio.ledger.transmit(now, airtime_ns);
         let frame = Frame {
             payload: Arc::clone(&request.payload),
-            sender: radio.spec.owner,
+            sender: spec.owner,
             radio: request.radio,
             destination: request.destination,
-            key: draw_u64(self.luck, radio.spec.key, radio.sent),
+            key: draw_u64(self.luck, spec.key, radio.sent),
             sent: now,
             bytes,
             airtime_ns,
-            power_mw: radio.spec.tx_power.milliwatts() as f32,
+            power_mw: spec.tx_power.milliwatts() as f32,
         };
         radio.sent += 1;
         self.due = Some(now);
         self.waiting.push(frame);
-        self.report(&request, Ok(()));
+        self.report(now, &request, Ok(()));
     }
 
     fn command(
@@ -390,19 +385,17 @@ impl Medium for SimpleMedium {
                 }
             }
             Command::Tune(channel) => {
-                let spec = RadioSpec {
-                    channel,
-                    ..radio.spec.clone()
-                };
-                spec.check()?;
+                let spec = self.specs[id.index()].clone();
+                RadioSpec { channel, ..spec }.check()?;
                 self.tunings.push((id, channel));
             }
             Command::Power { level, current } => {
-                let mut spec = radio.spec.clone();
-                (spec.tx_power, spec.currents.tx) = (level, current);
+                let mut spec = self.specs[id.index()].clone();
+                let old = std::mem::replace(&mut spec.currents.tx, current);
+                spec.tx_power = level;
                 spec.check()?;
-                radio.ledger.settle(radio.spec.currents.tx);
-                radio.spec = spec;
+                radio.ledger.settle(old);
+                self.specs[id.index()] = spec;
             }
         }
         Ok(())
@@ -452,7 +445,7 @@ impl Medium for SimpleMedium {
             Mode::ByFrame => band.delivered.hits(radio.row),
             Mode::ByReceiver => {
                 let heard = self.hear(radio, scratch, false);
-                radio.book(self.round, self.now, &heard);
+                radio.book_round(self.round, self.now, &heard);
                 &scratch.hits
             }
         };
@@ -462,15 +455,12 @@ impl Medium for SimpleMedium {
             hits,
             frames: &band.air.frames,
             outcomes: self.outcomes(id),
-            receiver: Receiver {
-                noise: self.noise(&radio.spec).mean,
-                error: radio.spec.error.as_ref(),
-            },
+            receiver: self.curves[band.members.curves[radio.row as usize] as usize].receiver(),
         }
     }
 
     fn ambient(&self, radio: RadioId) -> PowerLevel {
-        self.noise(&self.radios[radio.index()].spec).mean
+        self.noise(&self.specs[radio.index()]).mean
     }
 
     fn state(&self, radio: RadioId, now: SimTime) -> RadioState {
@@ -484,7 +474,7 @@ impl Medium for SimpleMedium {
     }
 
     fn usage(&self, radio: RadioId, until: SimTime) -> Usage {
-        let radio = &self.radios[radio.index()];
-        radio.ledger.usage(&radio.spec.currents, until)
+        let currents = &self.specs[radio.index()].currents;
+        self.radios[radio.index()].ledger.usage(currents, until)
     }
 }

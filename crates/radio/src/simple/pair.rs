@@ -43,8 +43,8 @@ pub(super) struct Between<'a> {
 /// How many frames of a row came within range, and how many of these above the sensitivity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Reach {
-    pub(super) in_range: u32,
-    pub(super) audible: u32,
+    pub(super) in_range: u64,
+    pub(super) audible: u64,
 }
 
 #[inline(always)]
@@ -58,8 +58,25 @@ fn received_mw(eirp_mw: f32, gain: f32, antenna_gain: f32) -> f32 {
     eirp_mw * gain * antenna_gain
 }
 
-/// The draw of a pair that is too weak: not below any chance.
-const NO_LUCK: u32 = u32::MAX;
+/// Makes the draw of a pair that is too weak the highest there is, which is not below any chance.
+#[inline(always)]
+fn no_luck(audible: bool) -> u32 {
+    u32::from(audible).wrapping_sub(1)
+}
+
+/// A key from its halves. They lie in columns of their own since vectors of 64-bit words are half as
+/// long.
+#[inline(always)]
+fn whole(low: u32, high: u32) -> u64 {
+    u64::from(high) << 32 | u64::from(low)
+}
+
+/// The `n` entries of a column in `range`. Says the length twice, so that the compiler sees that all
+/// columns of a row have the same.
+#[inline(always)]
+fn cut<'a, T>(column: &'a [T], range: &Range<usize>, n: usize) -> &'a [T] {
+    &column[range.start..range.end][..n]
+}
 
 /// One receiver and some frames: fills `row` with one entry for each frame of `range`, which holds
 /// at most [`ROW`].
@@ -74,10 +91,12 @@ pub(super) fn listen(
     let c = &members.columns;
     let n = range.len();
     let here = [c.enu_m[0][me], c.enu_m[1][me], c.enu_m[2][me]];
-    let [x, y, z] = [0, 1, 2].map(|axis| &air.enu_m[axis][range.clone()]);
+    let x = cut(&air.enu_m[0], &range, n);
+    let y = cut(&air.enu_m[1], &range, n);
+    let z = cut(&air.enu_m[2], &range, n);
 
     let radio = c.radios[me];
-    let radios = &air.radios[range.clone()];
+    let radios = cut(&air.radios, &range, n);
     let squares = &mut row.squares_m2[..n];
     for j in 0..n {
         let square = square([x[j], y[j], z[j]], here);
@@ -86,7 +105,7 @@ pub(super) fn listen(
 
     let squares = &row.squares_m2[..n];
     let gains = &mut row.gains[..n];
-    let keys = &air.keys[range.clone()];
+    let keys = cut(&air.keys, &range, n);
     let links = Links {
         frequency: between.frequency,
         time: between.time,
@@ -94,13 +113,13 @@ pub(super) fn listen(
         near_enu_m: here,
         near_key: c.radio_keys[me],
         far_enu_m: [x, y, z],
-        far_keys: &air.radio_keys[range.clone()],
+        far_keys: cut(&air.radio_keys, &range, n),
         distances_squared_m2: squares,
         frames: FrameKeys::Each(keys),
     };
     between.propagation.gains(&links, gains);
 
-    let eirp_mw = &air.eirp_mw[range.clone()];
+    let eirp_mw = cut(&air.eirp_mw, &range, n);
     let powers = &mut row.powers_mw[..n];
     for j in 0..n {
         let power = received_mw(eirp_mw[j], gains[j], c.gains[me]);
@@ -121,20 +140,23 @@ pub(super) fn listen(
     }
 
     let (sensitivity_mw, salt) = (c.sensitivities_mw[me], c.salts[me]);
+    let (low, high) = (
+        cut(&air.keys_low, &range, n),
+        cut(&air.keys_high, &range, n),
+    );
     let (slots, draws) = (&mut row.slots[..n], &mut row.draws[..n]);
-    let mut reach = Reach::default();
+    let (mut in_range, mut audibles) = (0u32, 0u32);
     for j in 0..n {
         let audible = powers[j] >= sensitivity_mw;
-        reach.in_range += u32::from(squares[j] <= between.range_squared_m2);
-        reach.audible += u32::from(audible);
+        in_range += u32::from(squares[j] <= between.range_squared_m2);
+        audibles += u32::from(audible);
         slots[j] = slot(powers[j]);
-        draws[j] = if audible {
-            draw_u32(keys[j], salt)
-        } else {
-            NO_LUCK
-        };
+        draws[j] = draw_u32(whole(low[j], high[j]), salt) | no_luck(audible);
     }
-    reach
+    Reach {
+        in_range: in_range.into(),
+        audible: audibles.into(),
+    }
 }
 
 /// One frame and some receivers: fills `row` with one entry for each member of `range`, which holds
@@ -154,10 +176,12 @@ pub(super) fn tell(
         air.enu_m[1][frame],
         air.enu_m[2][frame],
     ];
-    let [x, y, z] = [0, 1, 2].map(|axis| &c.enu_m[axis][range.clone()]);
+    let x = cut(&c.enu_m[0], &range, n);
+    let y = cut(&c.enu_m[1], &range, n);
+    let z = cut(&c.enu_m[2], &range, n);
 
     let radio = air.radios[frame];
-    let radios = &c.radios[range.clone()];
+    let radios = cut(&c.radios, &range, n);
     let squares = &mut row.squares_m2[..n];
     for j in 0..n {
         let square = square(there, [x[j], y[j], z[j]]);
@@ -174,14 +198,14 @@ pub(super) fn tell(
         near_enu_m: there,
         near_key: air.radio_keys[frame],
         far_enu_m: [x, y, z],
-        far_keys: &c.radio_keys[range.clone()],
+        far_keys: cut(&c.radio_keys, &range, n),
         distances_squared_m2: squares,
         frames: FrameKeys::One(key),
     };
     between.propagation.gains(&links, gains);
 
     let eirp_mw = air.eirp_mw[frame];
-    let antenna_gains = &c.gains[range.clone()];
+    let antenna_gains = cut(&c.gains, &range, n);
     let powers = &mut row.powers_mw[..n];
     for j in 0..n {
         let power = received_mw(eirp_mw, gains[j], antenna_gains[j]);
@@ -201,21 +225,19 @@ pub(super) fn tell(
         }
     }
 
-    let sensitivities_mw = &c.sensitivities_mw[range.clone()];
-    let salts = &c.salts[range.clone()];
-    let in_range = &mut members.in_range[range.clone()];
-    let audibles = &mut members.audible[range];
+    let sensitivities_mw = cut(&c.sensitivities_mw, &range, n);
+    let salts = cut(&c.salts, &range, n);
+    let in_range = &mut members.in_range[range.clone()][..n];
+    let audibles = &mut members.audible[range][..n];
     let (slots, draws) = (&mut row.slots[..n], &mut row.draws[..n]);
     for j in 0..n {
-        let audible = powers[j] >= sensitivities_mw[j];
         in_range[j] += u64::from(squares[j] <= between.range_squared_m2);
-        audibles[j] += u64::from(audible);
+        audibles[j] += u64::from(powers[j] >= sensitivities_mw[j]);
+    }
+    for j in 0..n {
+        let audible = powers[j] >= sensitivities_mw[j];
         slots[j] = slot(powers[j]);
-        draws[j] = if audible {
-            draw_u32(key, salts[j])
-        } else {
-            NO_LUCK
-        };
+        draws[j] = draw_u32(key, salts[j]) | no_luck(audible);
     }
 }
 
@@ -245,7 +267,8 @@ pub(super) fn pick(
 
 /// Gains of the antennas with a direction at both ends of a link.
 fn directed_gain(members: &Members, tx: usize, rx: usize) -> f32 {
-    let place = |row: usize| DVec3::from(members.places[row].map(f64::from));
+    let [east, north, up] = &members.places;
+    let place = |row: usize| DVec3::new(east[row].into(), north[row].into(), up[row].into());
     // Two antennas in one place have no direction to each other.
     let Some(tx_to_rx) = (place(rx) - place(tx)).try_normalize() else {
         return 1.0;

@@ -1,32 +1,35 @@
-//! One radio and its books.
+//! One radio's place and its books, apart from its specification: what each reception touches.
 
 use super::band::{Air, Members};
 use super::pair::Reach;
 use crate::counters::{Counters, Loss};
 use crate::inbox::Hit;
 use crate::ledger::{Ledger, Tally};
-use crate::radio::RadioSpec;
 use simbeeotic_kernel::{ModelId, SimTime};
 
 /// A radio of the simple medium.
+///
+/// What each reception touches lies in the first 64 bytes, a cache line: with thousands of radios that
+/// hear each frame, their books are most of the memory that goes by.
 #[derive(Debug)]
+#[repr(C, align(64))]
 pub(super) struct Radio {
-    pub(super) spec: RadioSpec,
     pub(super) band: u32,
     pub(super) row: u32,
+    received: Tally,
+    pub(super) ledger: Ledger,
+    overheard: Tally,
+    /// Frames within range and above the sensitivity, but for those counted in the band's columns.
+    in_range: Tally,
+    audible: Tally,
+    /// The last round that was booked by receiver.
+    booked: Tally,
+    pub(super) presence: Presence,
     /// Frames sent, ever.
     pub(super) sent: u64,
     /// Requests that did not become frames.
-    pub(super) refused: Counters,
-    pub(super) ledger: Ledger,
-    pub(super) presence: Presence,
-    received: Tally,
-    overheard: Tally,
-    /// Frames within range and above the sensitivity, but for those counted in the band's columns.
-    pub(super) in_range: Tally,
-    pub(super) audible: Tally,
-    /// The last round that was booked here.
-    booked: Tally,
+    pub(super) sent_asleep: u64,
+    pub(super) too_long: u64,
 }
 
 /// How many frames of others went over the radio's channel while it listened, and while it slept.
@@ -51,13 +54,13 @@ pub(super) struct Heard {
 }
 
 impl Radio {
-    pub(super) fn new(spec: RadioSpec, band: u32, row: u32, band_sent: u64) -> Self {
+    pub(super) fn new(band: u32, row: u32, band_sent: u64) -> Self {
         Self {
-            spec,
             band,
             row,
             sent: 0,
-            refused: Counters::default(),
+            sent_asleep: 0,
+            too_long: 0,
             ledger: Ledger::default(),
             presence: Presence {
                 since: band_sent,
@@ -71,16 +74,29 @@ impl Radio {
         }
     }
 
-    /// Books what was heard in a round, once.
-    pub(super) fn book(&self, round: u64, now: SimTime, heard: &Heard) {
-        if self.booked.get() == round {
-            return;
+    /// Books what was heard in a round that is worked by receiver. Once: inboxes may be asked for
+    /// again.
+    pub(super) fn book_round(&self, round: u64, now: SimTime, heard: &Heard) {
+        if self.booked.get() != round {
+            self.booked.set(round);
+            self.book_reach(heard.reach);
+            self.book(now, heard);
         }
-        self.booked.set(round);
-        self.in_range.add(u64::from(heard.reach.in_range));
-        self.audible.add(u64::from(heard.reach.audible));
+    }
+
+    /// Books frames that came within range, and those above the sensitivity.
+    pub(super) fn book_reach(&self, reach: Reach) {
+        self.in_range.add(reach.in_range);
+        self.audible.add(reach.audible);
+    }
+
+    /// Books what got through.
+    #[inline]
+    pub(super) fn book(&self, now: SimTime, heard: &Heard) {
         self.received.add(heard.received);
-        self.overheard.add(heard.overheard);
+        if heard.overheard > 0 {
+            self.overheard.add(heard.overheard);
+        }
         if heard.airtime_ns > 0 {
             self.ledger.receive(now, heard.airtime_ns);
         }
@@ -99,13 +115,15 @@ impl Radio {
         let in_range = self.in_range.get() + members.in_range[row];
         let audible = self.audible.get() + members.audible[row];
         let (received, overheard) = (self.received.get(), self.overheard.get());
-        let mut counters = self.refused;
+        let mut counters = Counters::default();
         (counters.sent, counters.received, counters.overheard) = (self.sent, received, overheard);
         // Saturating: in the middle of a round not all are booked.
         counters.lose(Loss::OutOfRange, presence.awake.saturating_sub(in_range));
         counters.lose(Loss::BelowSensitivity, in_range.saturating_sub(audible));
         counters.lose(Loss::Noise, audible.saturating_sub(received + overheard));
         counters.lose(Loss::Asleep, presence.asleep);
+        counters.lose(Loss::SenderAsleep, self.sent_asleep);
+        counters.lose(Loss::TooLong, self.too_long);
         counters
     }
 }
@@ -113,11 +131,11 @@ impl Radio {
 impl Presence {
     fn closed(mut self, band_sent: u64, asleep: bool) -> Self {
         let others = band_sent - self.since - self.own;
-        *(if asleep {
-            &mut self.asleep
+        if asleep {
+            self.asleep += others;
         } else {
-            &mut self.awake
-        }) += others;
+            self.awake += others;
+        }
         Self {
             since: band_sent,
             own: 0,
@@ -127,20 +145,27 @@ impl Presence {
 }
 
 impl Heard {
-    /// Takes stock of `hits`, all that came through, and keeps those that are for `owner`.
-    pub(super) fn sort_out(&mut self, air: &Air, owner: ModelId, hits: &mut Vec<Hit>, from: usize) {
-        let frame = |hit: &Hit| &air.frames[hit.frame as usize];
-        if air.alike {
-            if hits.len() > from {
-                self.airtime_ns = air.frames[0].airtime_ns;
-            }
-        } else {
-            let longest = hits[from..].iter().map(|hit| frame(hit).airtime_ns).max();
-            self.airtime_ns = self.airtime_ns.max(longest.unwrap_or(0));
+    /// Takes stock of some of the frames that got through, and puts those for `owner` in front.
+    /// Returns how many these are.
+    pub(super) fn sort_out(&mut self, air: &Air, owner: ModelId, hits: &mut [Hit]) -> usize {
+        if hits.is_empty() {
+            return 0;
         }
+        let frame = |hit: &Hit| &air.frames[hit.frame as usize];
+        let longest = if air.alike {
+            air.frames[0].airtime_ns
+        } else {
+            hits.iter()
+                .map(|hit| frame(hit).airtime_ns)
+                .max()
+                .unwrap_or(0)
+        };
+        self.airtime_ns = self.airtime_ns.max(longest);
+
+        let mut kept = hits.len();
         if air.addressed {
-            let mut kept = from;
-            for index in from..hits.len() {
+            kept = 0;
+            for index in 0..hits.len() {
                 let hit = hits[index];
                 if frame(&hit)
                     .destination
@@ -150,9 +175,9 @@ impl Heard {
                     kept += 1;
                 }
             }
-            self.overheard += (hits.len() - kept) as u64;
-            hits.truncate(kept);
         }
-        self.received += (hits.len() - from) as u64;
+        self.received += kept as u64;
+        self.overheard += (hits.len() - kept) as u64;
+        kept
     }
 }

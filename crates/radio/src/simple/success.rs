@@ -16,6 +16,7 @@
 //! its middle, at most 0.017 dB off.
 
 use crate::error_model::ErrorModel;
+use crate::inbox::Receiver;
 use simbeeotic_units::{Decibels, PowerLevel};
 use std::sync::Arc;
 
@@ -81,6 +82,14 @@ impl Curve {
     /// Whether this is the curve of that receiver.
     pub(super) fn is(&self, error: &Arc<dyn ErrorModel>, noise: Noise) -> bool {
         Arc::ptr_eq(&self.error, error) && self.noise == noise
+    }
+
+    /// What its owners measure packets against.
+    pub(super) fn receiver(&self) -> Receiver<'_> {
+        Receiver {
+            noise: self.noise.mean,
+            error: self.error.as_ref(),
+        }
     }
 
     /// Makes the missing tables for frames of these lengths.
