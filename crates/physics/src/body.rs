@@ -109,7 +109,7 @@ pub enum Mobility {
 /// of which one is smooth (or dead) are smooth (or dead).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Coulomb coefficient of friction, 0 or more.
+    /// Coulomb coefficient of friction, 0 to 1000. Sliding over the ground keeps it to 24 bits.
     pub friction: f64,
     /// Normal speed after an impact over that before it, 0 (dead) to 1 (elastic).
     pub restitution: f64,

@@ -244,11 +244,7 @@ impl Physics {
             Kind::Leave => self.relist(due.a, due.time),
             Kind::Review => self.review(due.a, due.time),
             Kind::Meet => self.meet(due, contacts),
-            Kind::Part => {
-                self.encounters
-                    .passed((due.a, due.b), Passage::Out, due.time);
-                self.predict_again(&[due.a, due.b], due.time);
-            }
+            Kind::Part => self.part((due.a, due.b), due.time),
         }
     }
 
@@ -297,13 +293,20 @@ impl Physics {
         };
         let impact = if respond {
             self.encounters.bounced(pair, time);
-            if b == GROUND {
+            let impact = if b == GROUND {
                 self.bounce_off_ground(a, time)
             } else {
                 self.bounce(a, b, time)
-            }
+            };
+            self.predict_again(&[a, b], time);
+            impact
         } else {
+            // What only detects keeps its stamp, so the same meeting may have been predicted twice.
+            if self.encounters.inside_since(pair).is_some() {
+                return;
+            }
             self.encounters.passed(pair, Passage::In, time);
+            self.predict_passage(pair, time);
             let motion_a = &self.motions[a as usize];
             if b == GROUND {
                 response::observe_ground(motion_a, time)
@@ -313,7 +316,22 @@ impl Physics {
         };
         self.tally.contacts += 1;
         contacts.push(report(due, &impact));
-        self.predict_again(&[a, b], time);
+    }
+
+    /// Two that only detect each other part.
+    fn part(&mut self, pair: (u32, u32), t: SimTime) {
+        if self.encounters.inside_since(pair).is_some() {
+            self.encounters.passed(pair, Passage::Out, t);
+            self.predict_passage(pair, t);
+        }
+    }
+
+    fn predict_passage(&mut self, (a, b): (u32, u32), t: SimTime) {
+        if b == GROUND {
+            self.predict_ground(a, t)
+        } else {
+            self.predict_pair(a, b, t)
+        }
     }
 
     fn bounce(&mut self, a: u32, b: u32, t: SimTime) -> Impact {

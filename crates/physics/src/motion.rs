@@ -219,6 +219,16 @@ impl Motion {
         self.rotation(t.max(self.t0)).1
     }
 
+    /// Angular acceleration at `t`: how the body rate changes, FLU, rad/s^2.
+    #[must_use]
+    pub fn angular_acceleration(&self, t: SimTime) -> DVec3 {
+        match self.spin {
+            Spin::Steady => DVec3::ZERO,
+            Spin::Axis => self.spin_up(),
+            Spin::Tumbling => self.euler().acceleration(self.rate(t)),
+        }
+    }
+
     /// Position, velocity and acceleration at `t`, equation (1). `t` may lie before the start.
     #[inline]
     pub(crate) fn kinematics(&self, t: SimTime) -> (DVec3, DVec3, DVec3) {

@@ -247,6 +247,12 @@ impl Physics {
         self.motions.is_empty()
     }
 
+    /// Free fall in this world, downwards, m/s^2.
+    #[must_use]
+    pub const fn gravity_m_s2(&self) -> f64 {
+        self.gravity
+    }
+
     /// The trajectory segment of a body.
     ///
     /// # Panics

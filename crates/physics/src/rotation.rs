@@ -81,7 +81,7 @@ fn hold(w: DVec3) -> DVec3 {
 }
 
 /// Euler's equation: what turns a free body's rate.
-struct Euler {
+pub(crate) struct Euler {
     /// `I^-1 T`.
     spin_up: DVec3,
     /// `((I2 - I3) / I1, ...)`: the gyroscopic term is this times `(w2 w3, w3 w1, w1 w2)`.
@@ -89,7 +89,7 @@ struct Euler {
 }
 
 impl Euler {
-    fn acceleration(&self, w: DVec3) -> DVec3 {
+    pub(crate) fn acceleration(&self, w: DVec3) -> DVec3 {
         self.spin_up + self.ratio * DVec3::new(w.y * w.z, w.z * w.x, w.x * w.y)
     }
 
@@ -150,7 +150,7 @@ impl Motion {
         self.torque() * self.inverse_inertia()
     }
 
-    fn euler(&self) -> Euler {
+    pub(crate) fn euler(&self) -> Euler {
         let inverse = self.inverse_inertia();
         let moment = inverse.recip();
         let ratio = DVec3::new(

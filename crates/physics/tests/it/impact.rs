@@ -252,6 +252,38 @@ fn two_that_detect_pass_through_each_other_and_are_reported_when_they_begin() {
 }
 
 #[test]
+fn of_many_that_detect_each_touch_is_reported_once() {
+    // One passes through a row of ten; lists are made anew all the time, and it outruns them.
+    let mut physics = crate::worlds::listed_every(None, 0.01);
+    let ghostly = |p, v| BodySpec {
+        contacts: Contacts::Detect,
+        ..floating(p, v)
+    };
+    for k in 0..10 {
+        physics
+            .add(ghostly(
+                DVec3::new(f64::from(k) * 0.15, 0.0, 0.0),
+                DVec3::ZERO,
+            ))
+            .unwrap();
+    }
+    let passer = physics
+        .add(ghostly(DVec3::new(-1.0, 0.0, 0.0), DVec3::X))
+        .unwrap();
+    let mut contacts = run(&mut physics, seconds(0.5));
+    let mut motion = *physics.motion(passer);
+    motion.set_velocity(seconds(0.5), DVec3::X * 20.0).unwrap();
+    physics.commit(passer, seconds(0.5), motion);
+    contacts.extend(run(&mut physics, seconds(3.0)));
+    let met: Vec<u32> = contacts
+        .iter()
+        .filter(|c| c.b == Some(passer))
+        .map(|c| c.a.0)
+        .collect();
+    assert_eq!(met, (0..10).collect::<Vec<u32>>());
+}
+
+#[test]
 fn one_that_detects_keeps_one_that_responds_from_bouncing() {
     let mut physics = in_space();
     physics
