@@ -88,7 +88,7 @@ impl Watch {
         }
     }
 
-    /// The number of events in the round is known: big ones count once, others only if drawn.
+    /// The number of events (or visits) in the round is known: big ones count once, others only if drawn.
     #[inline]
     pub(crate) fn size(&mut self, events: usize) {
         if events >= BIG {

@@ -77,6 +77,10 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
         }
     }
 
+    fn touch(&self) -> u32 {
+        self.handlers.len() as u32
+    }
+
     fn finish(&mut self, cx: &mut Cx<'_>) {
         self.behavior.on_finish(&mut self.host.view(cx.reborrow()));
         self.host.finish(cx.reborrow());

@@ -163,6 +163,7 @@ pub struct Swarm {
     /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
     pub(crate) radio_nanos: AtomicU64,
     pub(crate) medium_nanos: u64,
+    pub(crate) contact_nanos: u64,
 }
 
 /// Messages under way, by number.
@@ -263,6 +264,7 @@ impl Swarm {
         if self.physics.next_time().is_none_or(|next| next > now) {
             return;
         }
+        let start = crate::watch::now();
         self.contacts.clear();
         self.physics.advance(now, &mut self.contacts);
         for at in 0..self.contacts.len() {
@@ -282,6 +284,7 @@ impl Swarm {
             }
         }
         self.touches.sort_by_key(|(id, _)| *id);
+        self.contact_nanos += crate::watch::nanos_since(start);
     }
 
     /// Puts the frames that are due through the medium.
@@ -415,6 +418,14 @@ impl Domain for Swarm {
             out.fold(digest(&own.motion, visit.now));
             out.effect(Effect::Motion(own));
         }
+    }
+
+    fn warm(&self, id: ModelId, agent: &Agent) -> u64 {
+        let body = agent
+            .core
+            .body
+            .map_or(0, |body| self.physics.motion(body).start().nanos());
+        body ^ u64::from(agent.model.touch()) ^ u64::from(id.0)
     }
 
     fn commit(&mut self, id: ModelId, effect: Effect, cx: &mut Committing<'_>) {

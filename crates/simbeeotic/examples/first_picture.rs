@@ -10,6 +10,7 @@
 use simbeeotic::kernel::SimTime;
 use simbeeotic::model::Simulation;
 use simbeeotic::scenario::{Request, load_file, render};
+use simbeeotic::units::math;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Where one model was, step by step, in metres: east, north, up.
 struct Trace {
+    model: String,
     points: Vec<[f64; 3]>,
 }
 
@@ -48,27 +50,43 @@ const STEP: SimTime = SimTime::from_millis(250);
 fn fly(scenario: &Path) -> Result<Flight, Box<dyn Error>> {
     let loaded = load_file(scenario, &Request::default())
         .map_err(|wrong| render::faults(&wrong.faults, &wrong.sources, false))?;
-    let setup = loaded.setup().map_err(|faults| render::faults(&faults, loaded.sources(), false))?;
+    let setup = loaded
+        .setup()
+        .map_err(|faults| render::faults(&faults, loaded.sources(), false))?;
     let mut run = Simulation::new(setup)?;
 
-    let paths: Vec<String> = run.population().iter().map(|(_, m)| m.path.clone()).collect();
-    let mut traces: Vec<Trace> = paths.iter().map(|_| Trace { points: Vec::new() }).collect();
+    let models = run
+        .population()
+        .iter()
+        .map(|(_, member)| member.path.clone());
+    let mut traces: Vec<Trace> = models
+        .map(|model| Trace {
+            model,
+            points: Vec::new(),
+        })
+        .collect();
     let end = run.end();
     for step in 0..=end.nanos() / STEP.nanos() {
         run.run_until(SimTime::from_nanos(step * STEP.nanos()))?;
-        for (path, trace) in paths.iter().zip(&mut traces) {
-            trace.points.extend(run.pose(path).map(|pose| pose.position.si().to_array()));
+        for trace in &mut traces {
+            let pose = run.pose(&trace.model);
+            trace
+                .points
+                .extend(pose.map(|pose| pose.position.si().to_array()));
         }
     }
     traces.retain(|trace| !trace.points.is_empty());
-    Ok(Flight { traces, seconds: end.as_secs_f64() })
+    Ok(Flight {
+        traces,
+        seconds: end.as_secs_f64(),
+    })
 }
 
 /// Edge of the square that the flight is drawn in, and what is left free around it, in pixels.
 const EDGE: f64 = 720.0;
 const LEFT: f64 = 62.0;
 const TOP: f64 = 24.0;
-const RIGHT: f64 = 104.0;
+const RIGHT: f64 = 112.0;
 const BOTTOM: f64 = 56.0;
 
 /// Colours by height, from the lowest band to the highest.
@@ -76,13 +94,15 @@ const BANDS: [&str; 8] = [
     "#b3c98f", "#86bd90", "#5ea98f", "#3f938e", "#2a7c8b", "#206484", "#254b7b", "#2c3172",
 ];
 
-/// What is shown of the world: a square on the ground, and a range of heights.
+/// What is shown of the world: a square on the ground, and bands of height above it.
 struct Window {
     west: f64,
     north: f64,
     metres: f64,
+    /// The bottom of the lowest band, and how high each band is.
     low: f64,
-    high: f64,
+    band: f64,
+    bands: usize,
 }
 
 impl Window {
@@ -97,12 +117,15 @@ impl Window {
             }
         }
         let metres = (high[0] - low[0]).max(high[1] - low[1]).max(1.0) * 1.04;
+        let band = round_step((high[2] - low[2]).max(0.5) / BANDS.len() as f64);
+        let bottom = (low[2] / band).floor() * band;
         Self {
             west: 0.5 * (low[0] + high[0] - metres),
             north: 0.5 * (low[1] + high[1] + metres),
             metres,
-            low: low[2],
-            high: high[2].max(low[2] + 0.1),
+            low: bottom,
+            band,
+            bands: ((high[2] - bottom) / band) as usize + 1,
         }
     }
 
@@ -115,8 +138,12 @@ impl Window {
     }
 
     fn band(&self, up: f64) -> usize {
-        let share = (up - self.low) / (self.high - self.low);
-        ((share * BANDS.len() as f64) as usize).min(BANDS.len() - 1)
+        (((up - self.low) / self.band) as usize).min(self.bands - 1)
+    }
+
+    /// The colour of a band: the outermost bands get the outermost colours.
+    fn colour(&self, band: usize) -> &'static str {
+        BANDS[(band * (BANDS.len() - 1) / (self.bands - 1).max(1)).min(BANDS.len() - 1)]
     }
 }
 
@@ -132,8 +159,7 @@ fn draw(flight: &Flight) -> String {
     axes(&mut svg, &window);
     paths(&mut svg, &window, &flight.traces);
     marks(&mut svg, &window, &flight.traces);
-    scale(&mut svg, &window);
-    legend(&mut svg, flight);
+    key(&mut svg, &window, flight);
     svg.push_str("</svg>\n");
     svg
 }
@@ -153,7 +179,12 @@ fn axes(svg: &mut String, window: &Window) {
         line(svg, [LEFT, y, right, y], n == 0);
         text(svg, [LEFT - 8.0, y + 4.5], "end", &format!("{metres}"));
     }
-    text(svg, [LEFT + 0.5 * EDGE, bottom + 42.0], "middle", "east (m)");
+    text(
+        svg,
+        [LEFT + 0.5 * EDGE, bottom + 42.0],
+        "middle",
+        "east (m)",
+    );
     let _ = writeln!(
         svg,
         "<text transform=\"translate(18 {:.1}) rotate(-90)\" text-anchor=\"middle\">north (m)</text>",
@@ -163,35 +194,40 @@ fn axes(svg: &mut String, window: &Window) {
 
 /// The next of 1, 2, 5, 10, 20, ... that is not below `least`.
 fn round_step(least: f64) -> f64 {
-    let ten = 10_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].map(|n| n * ten).into_iter().find(|n| *n >= least).unwrap_or(ten)
+    let ten = math::pow(10.0, math::log10(least).floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|n| n * ten)
+        .into_iter()
+        .find(|n| *n >= least)
+        .unwrap_or(ten)
 }
 
 /// All traces, band by band, so that what is higher lies on top, as it does from above. Points are
 /// tenths of a pixel, each relative to the one before.
 fn paths(svg: &mut String, window: &Window, traces: &[Trace]) {
-    let mut bands = vec![String::new(); BANDS.len()];
+    let mut bands = vec![String::new(); window.bands];
     for trace in traces.iter().filter(|t| !t.stands()) {
-        let mut from: Option<([i64; 2], usize)> = None;
-        for point in &trace.points {
-            let at = [window.x(point[0]), window.y(point[1])].map(|p| (10.0 * p).round() as i64);
-            let band = window.band(point[2]);
-            if let Some((last, path)) = from {
-                let [dx, dy] = [at[0] - last[0], at[1] - last[1]];
-                let _ = write!(bands[path], "{dx} {dy} ");
+        let tenths =
+            |p: [f64; 3]| [window.x(p[0]), window.y(p[1])].map(|x| (10.0 * x).round() as i64);
+        let mut open = None;
+        for step in trace.points.windows(2) {
+            let (from, to) = (tenths(step[0]), tenths(step[1]));
+            let band = window.band(step[0][2]);
+            if open.replace(band) != Some(band) {
+                let _ = write!(bands[band], "M{} {}l", from[0], from[1]);
             }
-            if from.is_none_or(|(_, before)| before != band) {
-                let _ = write!(bands[band], "M{} {}l", at[0], at[1]);
-            }
-            from = Some((at, band));
+            let _ = write!(bands[band], "{} {} ", to[0] - from[0], to[1] - from[1]);
         }
     }
     svg.push_str(
         "<g transform=\"scale(.1)\" fill=\"none\" stroke-width=\"12\" stroke-opacity=\".75\" \
          stroke-linejoin=\"round\">\n",
     );
-    for (path, colour) in bands.iter().zip(BANDS) {
-        let path = path.replace(" -", "-").replace(" M", "M");
+    for (band, path) in bands.iter().enumerate() {
+        let (path, colour) = (
+            path.replace(" -", "-").replace(" M", "M"),
+            window.colour(band),
+        );
         let _ = writeln!(svg, "<path stroke=\"{colour}\" d=\"{}\"/>", path.trim_end());
     }
     svg.push_str("</g>\n");
@@ -199,47 +235,57 @@ fn paths(svg: &mut String, window: &Window, traces: &[Trace]) {
 
 /// A ring where each trace starts, a dot where it ends, a square where something stands.
 fn marks(svg: &mut String, window: &Window, traces: &[Trace]) {
-    for trace in traces {
-        let (Some(first), Some(last)) = (trace.points.first(), trace.points.last()) else { continue };
-        let [x, y, u, v] =
-            [window.x(first[0]), window.y(first[1]), window.x(last[0]), window.y(last[1])];
-        if trace.stands() {
-            square(svg, x, y);
-        } else {
-            ring(svg, x, y);
-            dot(svg, u, v, BANDS[window.band(last[2])]);
-        }
+    let place = |point: [f64; 3]| (window.x(point[0]), window.y(point[1]));
+    let (standing, moving): (Vec<&Trace>, Vec<&Trace>) = traces.iter().partition(|t| t.stands());
+    for point in moving.iter().filter_map(|t| t.points.first()) {
+        let (x, y) = place(*point);
+        ring(svg, x, y);
+    }
+    for point in moving.iter().filter_map(|t| t.points.last()) {
+        let (x, y) = place(*point);
+        dot(svg, x, y, window.colour(window.band(point[2])));
+    }
+    for point in standing.iter().filter_map(|t| t.points.first()) {
+        let (x, y) = place(*point);
+        square(svg, x, y);
     }
 }
 
-/// The colours and their heights.
-fn scale(svg: &mut String, window: &Window) {
-    let (x, size) = (LEFT + EDGE + 26.0, 26.0);
-    let bottom = TOP + 8.0 * size + 24.0;
+/// The colours and their heights; below them, what the marks mean.
+fn key(svg: &mut String, window: &Window, flight: &Flight) {
+    let (x, size) = (LEFT + EDGE + 24.0, 26.0);
+    let bottom = TOP + window.bands as f64 * size + 24.0;
     text(svg, [x, TOP + 10.0], "start", "height (m)");
-    for (n, colour) in BANDS.iter().enumerate() {
-        let y = bottom - (n + 1) as f64 * size;
+    for band in 0..window.bands {
+        let (y, colour) = (bottom - (band + 1) as f64 * size, window.colour(band));
         let _ = writeln!(
             svg,
             "<rect x=\"{x}\" y=\"{y}\" width=\"14\" height=\"{size}\" fill=\"{colour}\"/>"
         );
     }
-    for n in (0..=BANDS.len()).step_by(2) {
-        let up = window.low + (window.high - window.low) * n as f64 / BANDS.len() as f64;
-        text(svg, [x + 20.0, bottom - n as f64 * size + 4.5], "start", &format!("{up:.0}"));
+    for n in 0..=window.bands {
+        let up = window.low + window.band * n as f64;
+        text(
+            svg,
+            [x + 20.0, bottom - n as f64 * size + 4.5],
+            "start",
+            &format!("{up}"),
+        );
     }
-}
 
-/// What the marks mean.
-fn legend(svg: &mut String, flight: &Flight) {
-    let (x, y) = (LEFT + EDGE + 32.0, TOP + 280.0);
+    let (x, y) = (x + 7.0, bottom + 40.0);
     ring(svg, x, y);
-    text(svg, [x + 14.0, y + 4.5], "start", "start");
-    dot(svg, x, y + 24.0, BANDS[4]);
-    text(svg, [x + 14.0, y + 28.5], "start", &format!("{} s later", flight.seconds));
-    if flight.traces.iter().any(Trace::stands) {
+    text(svg, [x + 13.0, y + 4.5], "start", "start");
+    dot(svg, x, y + 24.0, window.colour(window.bands / 2));
+    text(
+        svg,
+        [x + 13.0, y + 28.5],
+        "start",
+        &format!("after {} s", flight.seconds),
+    );
+    if let Some(standing) = flight.traces.iter().find(|t| t.stands()) {
         square(svg, x, y + 48.0);
-        text(svg, [x + 14.0, y + 52.5], "start", "hive");
+        text(svg, [x + 13.0, y + 52.5], "start", &standing.model);
     }
 }
 
@@ -252,13 +298,16 @@ fn line(svg: &mut String, [x1, y1, x2, y2]: [f64; 4], strong: bool) {
 }
 
 fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, words: &str) {
-    let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>");
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>"
+    );
 }
 
 fn ring(svg: &mut String, x: f64, y: f64) {
     let _ = writeln!(
         svg,
-        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.6\" fill=\"#fdfdfb\" stroke=\"#777\"/>"
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.4\" fill=\"#fdfdfb\" stroke=\"#8a8a85\"/>"
     );
 }
 

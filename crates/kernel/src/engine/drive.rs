@@ -189,6 +189,8 @@ impl<D: Domain> Engine<D> {
             failure: &mut failure,
         });
         list_calls(&self.batch, &mut self.extra, &mut self.calls);
+        // The domain may have called up many agents without any event.
+        watch.size(self.calls.len());
         watch.lap(&mut self.stats.wall.open_s);
 
         self.stats.rounds += 1;
@@ -196,7 +198,7 @@ impl<D: Domain> Engine<D> {
         self.stats.events += self.batch.len() as u64;
         self.instant_events += self.batch.len() as u64;
         self.progress.set(self.now, self.stats.events);
-        self.last_big = is_big(self.batch.len());
+        self.last_big = is_big(self.calls.len());
         if self.last_big {
             self.pacer.check_wall_soon();
         }

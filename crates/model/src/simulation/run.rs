@@ -307,14 +307,12 @@ impl Simulation {
         let stats = engine.stats();
         let wall_s = start.elapsed().as_secs_f64();
         let virtual_s = engine.now().as_secs_f64();
-        let radio_s = (swarm.radio_nanos.load(Ordering::Relaxed) as f64 / engine.threads() as f64
-            + swarm.medium_nanos as f64)
-            * 1e-9;
-        let radio_in_run_s =
+        // Receptions are worked out while models run, on all threads.
+        let collect_s =
             swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
-        let events_s = (stats.wall.run_s - radio_in_run_s).max(0.0);
-        let physics_s =
-            (stats.wall.open_s + stats.wall.close_s - swarm.medium_nanos as f64 * 1e-9).max(0.0);
+        let radio_s = collect_s + swarm.medium_nanos as f64 * 1e-9;
+        let events_s = (stats.wall.run_s - collect_s).max(0.0);
+        let physics_s = stats.wall.close_s + swarm.contact_nanos as f64 * 1e-9;
         let mut total = Accounts::default();
         for id in 0..engine.agents().len() {
             total.add(&self.accounts_of(ModelId(id as u32)));

@@ -165,6 +165,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         keep_marks: false,
         radio_nanos: AtomicU64::new(0),
         medium_nanos: 0,
+        contact_nanos: 0,
     };
     Ok((swarm, agents))
 }
@@ -173,7 +174,10 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
 fn check_keys(keys: &[u64], population: &Population) -> Result<(), SetupError> {
     let mut order: Vec<u32> = (0..keys.len() as u32).collect();
     order.sort_unstable_by_key(|i| keys[*i as usize]);
-    match order.windows(2).find(|pair| keys[pair[0] as usize] == keys[pair[1] as usize]) {
+    match order
+        .windows(2)
+        .find(|pair| keys[pair[0] as usize] == keys[pair[1] as usize])
+    {
         Some(pair) => {
             let path = |i: u32| population.path(ModelId(i)).to_owned();
             Err(SetupError::KeyCollision(path(pair[0]), path(pair[1])))

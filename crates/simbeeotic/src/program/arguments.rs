@@ -85,6 +85,9 @@ Columns: time_ns, time_s, model (its path), x_m, y_m, z_m (position, ENU), vx_m_
 (velocity, ENU), qw, qx, qy, qz (attitude, world_from_body), wx_rad_s, wy_rad_s, wz_rad_s (body
 rates, FLU). One row for each model and tick.";
 
+/// Stands for the recording's own name, ending in `.parquet`.
+pub(super) const BESIDE: &str = "<beside the recording>";
+
 /// Which scenario, and what is changed in it.
 #[derive(Args, Clone)]
 pub(super) struct ScenarioOptions {
@@ -153,8 +156,14 @@ pub(super) struct ExportOptions {
     /// Write CSV to this file, or to standard output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", required_unless_present = "parquet")]
     pub(super) csv: Option<PathBuf>,
-    /// Write Parquet to this file
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "", conflicts_with = "csv")]
+    /// Write Parquet to this file, or beside the recording
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = BESIDE,
+        conflicts_with = "csv"
+    )]
     pub(super) parquet: Option<PathBuf>,
     /// Only models whose path matches: bee-*, hive/bee-1
     #[arg(long, value_name = "PATTERN")]

@@ -1,6 +1,6 @@
 //! `export`: a recording as a table.
 
-use super::arguments::ExportOptions;
+use super::arguments::{BESIDE, ExportOptions};
 use super::{Failure, input, remark, show};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{ExportError, Exported, Recording, Selection, export_csv, export_parquet};
@@ -43,7 +43,7 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
             )
         }
         (None, parquet) => {
-            let named = parquet.clone().filter(|p| !p.as_os_str().is_empty());
+            let named = parquet.clone().filter(|p| p != Path::new(BESIDE));
             let path = named.unwrap_or_else(|| options.recording.with_extension("parquet"));
             (
                 export_parquet(&recording, &selection, &path).map_err(failed)?,

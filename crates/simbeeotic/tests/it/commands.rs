@@ -74,7 +74,7 @@ fn a_parameter_out_of_range_is_shown_where_it_is_written() {
     let call = program.call(&["check", "bad.toml"]);
     assert_eq!(call.code, Some(2), "{}", call.err);
     assert!(
-        call.err.contains("bad.toml:6:42") && call.err.contains("more than zero"),
+        call.err.contains("bad.toml:6:40") && call.err.contains("more than zero"),
         "{}",
         call.err
     );

@@ -1,6 +1,5 @@
 //! The program as its users meet it: commands, files, errors, repeatability.
 
-mod book;
 mod bounds;
 mod commands;
 mod determinism;
