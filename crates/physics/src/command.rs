@@ -9,8 +9,9 @@ use crate::body::{BodySpec, Mobility};
 use crate::error::{self, BodyError};
 use crate::limits;
 use crate::motion::{Motion, Spin};
+use crate::rotation;
 use crate::support::Support;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::Attitude;
 
@@ -33,7 +34,7 @@ impl Motion {
             radius: spec.shape.bounding_radius_m() as f32,
             stamp: 0,
             a: DVec3::new(0.0, 0.0, -gravity),
-            q: spec.attitude.quat(),
+            q: rotation::unit(spec.attitude.quat()),
             friction: friction as f32,
             support: Support::None,
             spin: Spin::Steady,
@@ -277,12 +278,12 @@ impl Motion {
     /// Sets the attitude; the body rate stays the same in the body frame.
     ///
     /// # Errors
-    /// Not finite, a time in the past, a fixed body.
+    /// Not finite, not of unit length, a time in the past, a fixed body.
     pub fn set_attitude(&mut self, t: SimTime, attitude: Attitude) -> Result<(), BodyError> {
         self.moved("an attitude")?;
         error::attitude(attitude)?;
         self.advance(t)?;
-        self.q = attitude.quat();
+        self.q = rotation::unit(attitude.quat());
         Ok(())
     }
 
@@ -304,8 +305,7 @@ impl Motion {
         self.moved("an attitude")?;
         error::bounded("turn [rad]", turn, limits::RATE_RAD_S_MAX)?;
         self.advance(t)?;
-        let q = self.q * crate::rotation::turn_by(turn);
-        self.q = DQuat::normalize(q);
+        self.q = rotation::unit(self.q * rotation::turn_by(turn));
         Ok(())
     }
 }

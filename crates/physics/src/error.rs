@@ -84,19 +84,19 @@ pub(crate) fn finite(what: &'static str, value: glam::DVec3) -> Result<(), BodyE
 }
 
 /// Nothing if `value` is finite and no longer than `max`.
+#[inline]
 pub(crate) fn bounded(what: &'static str, value: glam::DVec3, max: f64) -> Result<(), BodyError> {
-    finite(what, value)?;
-    let length = value.length();
-    if length <= max {
-        Ok(())
-    } else {
-        Err(BodyError::OutOfRange {
-            what,
-            value: length,
-            min: 0.0,
-            max,
-        })
+    // False for NaN and infinity, too.
+    if value.length_squared() <= max * max {
+        return Ok(());
     }
+    finite(what, value)?;
+    Err(BodyError::OutOfRange {
+        what,
+        value: value.length(),
+        min: 0.0,
+        max,
+    })
 }
 
 /// Nothing if `value` is a number from `min` to `max`.
@@ -132,15 +132,19 @@ pub(crate) fn positive(what: &'static str, value: f64, max: f64) -> Result<(), B
     }
 }
 
-/// Nothing if `attitude` is finite.
+/// Nothing if `attitude` is finite and of unit length, give or take 1e-6.
 pub(crate) fn attitude(attitude: simbeeotic_units::Attitude) -> Result<(), BodyError> {
     let q = attitude.quat();
-    if q.is_finite() {
-        Ok(())
-    } else {
-        Err(BodyError::NotFinite {
+    if !q.is_finite() {
+        return Err(BodyError::NotFinite {
             what: "attitude",
             value: [q.x, q.y, q.z],
-        })
+        });
     }
+    ranged(
+        "length of the attitude's quaternion",
+        q.length(),
+        1.0 - 1e-6,
+        1.0 + 1e-6,
+    )
 }

@@ -40,27 +40,40 @@ const STEPS_PER_SEGMENT: u64 = 256;
 /// A tumbling segment that nobody begins anew is evaluated in at most this many, longer, steps.
 const STEPS_MAX: u64 = 1 << 16;
 
+/// `(-1)^k / (2k + 1)!` and `(-1)^k / (2k)!`: the power series of `sin(x) / x` and `cos(x)` in `x^2`.
+const SINC: [f64; 6] = [
+    1.0,
+    -1.0 / 6.0,
+    1.0 / 120.0,
+    -1.0 / 5040.0,
+    1.0 / 362_880.0,
+    -1.0 / 39_916_800.0,
+];
+const COS: [f64; 7] = [
+    1.0,
+    -1.0 / 2.0,
+    1.0 / 24.0,
+    -1.0 / 720.0,
+    1.0 / 40_320.0,
+    -1.0 / 3_628_800.0,
+    1.0 / 479_001_600.0,
+];
+
+#[inline]
+fn series<const N: usize>(coefficients: [f64; N], x: f64) -> f64 {
+    coefficients
+        .into_iter()
+        .rev()
+        .fold(0.0, |sum, coefficient| coefficient + x * sum)
+}
+
 /// The unit quaternion that turns by the vector `turn`, rad: `exp(turn / 2)`.
 ///
 /// Below half a radian by its power series, whose first term left out is below 1e-17; beyond by `libm`.
 pub(crate) fn turn_by(turn: DVec3) -> DQuat {
     let square = 0.25 * turn.length_squared();
     let (sinc, cos) = if square < 0.0625 {
-        let sinc = 1.0
-            - square / 6.0
-                * (1.0
-                    - square / 20.0
-                        * (1.0 - square / 42.0 * (1.0 - square / 72.0 * (1.0 - square / 110.0))));
-        let cos = 1.0
-            - square / 2.0
-                * (1.0
-                    - square / 12.0
-                        * (1.0
-                            - square / 30.0
-                                * (1.0
-                                    - square / 56.0
-                                        * (1.0 - square / 90.0 * (1.0 - square / 132.0)))));
-        (sinc, cos)
+        (series(SINC, square), series(COS, square))
     } else {
         let half = square.sqrt();
         let (sin, cos) = libm::sincos(half);
@@ -70,9 +83,11 @@ pub(crate) fn turn_by(turn: DVec3) -> DQuat {
     DQuat::from_xyzw(axis.x, axis.y, axis.z, cos)
 }
 
-/// `q` brought back to length 1, against the drift of many products.
-fn unit(q: DQuat) -> DQuat {
-    q * (1.0 / q.length_squared().sqrt())
+/// `q`, whose length is 1 but for the rounding of a product, brought back to length 1 against the drift
+/// of many products: one step of Newton's iteration for `1 / |q|`.
+#[inline]
+pub(crate) fn unit(q: DQuat) -> DQuat {
+    q * (1.5 - 0.5 * q.length_squared())
 }
 
 /// `w`, no faster than a body may turn.

@@ -48,7 +48,10 @@ fn a_torque_about_a_principal_axis_spins_up_uniformly() {
         .unwrap();
     // 2 rad/s^2 on top of 0.5 rad/s.
     let s = 3.0;
-    assert_eq!(motion.angular_acceleration(seconds(s)), DVec3::new(0.0, 2.0, 0.0));
+    assert_eq!(
+        motion.angular_acceleration(seconds(s)),
+        DVec3::new(0.0, 2.0, 0.0)
+    );
     assert!((motion.rate(seconds(s)).y - 6.5).abs() < 1e-12);
     let expected = Attitude::about(DVec3::Y, Angle::si(0.5 * s + s * s));
     assert!(
