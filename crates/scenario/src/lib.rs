@@ -22,8 +22,8 @@
 //! assert!(text.contains("did you mean `end_time`?"));
 //! ```
 //!
-//! Reading order: [`load`] (the whole way), [`toml`] and [`xml`] (text to tree), [`set`] (changes
-//! from the command line), [`plan`] (tree to parts), [`render`] (faults to text), [`print`] (tree
+//! Reading order: [`load`] (the whole way), [`mod@toml`] and [`xml`] (text to tree), [`set`] (changes
+//! from the command line), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
 //! to text), [`schema`] (for editors), [`limit`] (how large an input may be).
 
 pub mod limit;

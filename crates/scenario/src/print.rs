@@ -10,11 +10,11 @@ use simbeeotic_model::config::{Node, Table, Value};
 use std::fmt::Write;
 
 /// Inline tables and lists that fit into this many characters stand on one line.
-const LINE_MAX: usize = 76;
+const LINE_MAX: usize = 88;
 /// An inline table has no more entries than this, outside of lists.
 const INLINE_MAX: usize = 4;
 /// Tables that stand as sections however small they are.
-const SECTIONS: [&str; 14] = [
+const SECTIONS: [&str; 18] = [
     "run",
     "channel",
     "weather",
@@ -29,9 +29,14 @@ const SECTIONS: [&str; 14] = [
     "radio",
     "sweep",
     "ground",
+    "obstacle",
+    "structure",
+    "patch",
+    "person",
 ];
-/// Tables that hold sections by name.
-const NAMED: [&str; 1] = ["sensor"];
+/// Tables that may hold others by names of the user's own, and those of their keys that are none.
+const NAMED: [&str; 2] = ["sensor", "radio"];
+const NO_NAMES: [&str; 2] = ["antenna", "mount"];
 
 /// The tree as TOML text. A tree that is no table gives the text of its value.
 pub fn to_toml(node: &Node) -> String {
@@ -99,7 +104,9 @@ fn header(text: &mut String, path: &[&str], open: &str, close: &str, table: &Tab
 /// Whether an entry is written as a section, or several, below the plain values.
 fn stands_alone(key: &str, node: &Node, named: bool) -> bool {
     match &node.value {
-        Value::Table(table) => named || SECTIONS.contains(&key) || !is_small(table),
+        Value::Table(table) => {
+            named && !NO_NAMES.contains(&key) || SECTIONS.contains(&key) || !is_small(table)
+        }
         Value::Array(items) => {
             let tables = !items.is_empty() && items.iter().all(|n| n.as_table().is_some());
             tables && (SECTIONS.contains(&key) || !fits(node))

@@ -1,8 +1,9 @@
 //! World files, TOML or the original's XML, to a checked [`World`].
 
 use crate::xml::{self, Document};
+use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span, Value, read_params};
-use simbeeotic_world::World;
+use simbeeotic_world::{Obstacle, Patch, Person, Structure, World};
 use std::path::Path;
 
 /// Reads a world file. `asked` is where a scenario names it.
@@ -40,8 +41,8 @@ pub(crate) fn tree(text: &str, source: SourceId, faults: &mut Vec<Fault>) -> Opt
 pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
     let world: World = match read_params(node) {
         Ok(world) => world,
-        Err(found) => {
-            faults.extend(found);
+        Err(_) => {
+            faults.extend(all_faults(node));
             return None;
         }
     };
@@ -53,6 +54,44 @@ pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
             .map(|e| Fault::error(place(node, &e.path), e.message)),
     );
     sound.then_some(world)
+}
+
+/// Finds the faults of one object.
+type Look = fn(&Node) -> Vec<Fault>;
+
+/// Every fault of a world that cannot be read: those of each object, and those of the rest.
+fn all_faults(node: &Node) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let mut rest = node.clone();
+    if let Some(table) = rest.as_table_mut() {
+        let lists: [(&str, Look); 4] = [
+            ("obstacle", faults_of::<Obstacle>),
+            ("structure", faults_of::<Structure>),
+            ("patch", faults_of::<Patch>),
+            ("person", faults_of::<Person>),
+        ];
+        for (key, look) in lists {
+            if table.get(key).and_then(Node::as_array).is_some()
+                && let Some(list) = table.remove(key)
+            {
+                faults.extend(list.as_array().into_iter().flatten().flat_map(look));
+            }
+        }
+    }
+    faults.extend(faults_of::<World>(&rest));
+    // A choice that was wrong is set aside to find what else is; that the choice is missing then is
+    // no news.
+    let places: Vec<Span> = faults.iter().filter_map(|f| f.span).collect();
+    let holds_another = |outer: Span| places.iter().any(|p| *p != outer && outer.contains(*p));
+    faults.retain(|f| {
+        let choiceless = f.message.ends_with("where one choice is wanted");
+        !(choiceless && f.span.is_some_and(holds_another))
+    });
+    faults
+}
+
+fn faults_of<T: DeserializeOwned>(node: &Node) -> Vec<Fault> {
+    read_params::<T>(node).err().unwrap_or_default()
 }
 
 /// The place of a path of keys and indices: of the deepest part of it that was written.

@@ -7,7 +7,7 @@ use super::start::Start;
 use super::{Choice, Context, default_vehicle, part};
 use crate::limit::MODELS_MAX;
 use simbeeotic_model::ModelPlan;
-use simbeeotic_model::config::{Fault, Node, Span, Value};
+use simbeeotic_model::config::{Fault, Node, Sources, Span, Value};
 use simbeeotic_model::instance::GearPlan;
 use simbeeotic_model::registry::{Kind, Make, ModelFactory, Part, VehicleFactory};
 use simbeeotic_units::Pose;
@@ -56,10 +56,9 @@ fn group(node: &Node, cx: &mut Context<'_>) -> Option<Group> {
         cx.faults
             .push(fault.help("paths are made of names with `/` between them"));
     }
-    let start = match section.get("start") {
-        Some(node) => Some((node.span, Start::read(node, cx))),
-        None => None,
-    };
+    let start = section
+        .get("start")
+        .map(|node| (node.span, Start::read(node, cx)));
     let count = count(&mut section, start.as_ref(), cx);
     let params = section
         .get("params")
@@ -245,28 +244,65 @@ fn with_radio(groups: &[Group]) -> Option<&Group> {
     })
 }
 
+/// Finds entries whose models would have the same path. Works on entries, not on models: there may be
+/// millions of those.
 fn check_names(groups: &[Group], cx: &mut Context<'_>) {
-    let mut owners: BTreeMap<String, usize> = BTreeMap::new();
-    for (at, group) in groups.iter().enumerate() {
+    let mut plain: BTreeMap<&str, &Group> = BTreeMap::new();
+    let mut numbered: BTreeMap<&str, &Group> = BTreeMap::new();
+    let mut by_stem: BTreeMap<&str, Vec<(u64, &Group)>> = BTreeMap::new();
+    for group in groups {
         check_names(&group.nested, cx);
-        for index in 0..group.count {
-            let name = group.name_of(index);
-            let Some(other) = owners.get(&name) else {
-                owners.insert(name, at);
-                continue;
-            };
-            let first = &groups[*other];
-            let place = cx.sources.get(first.span.source).map(|source| {
-                let (line, column) = source.line_column(first.span.start);
-                format!("{}:{line}:{column}", source.name)
-            });
-            let place = place.unwrap_or_else(|| "another entry".to_owned());
-            let fault = Fault::error(group.span, format!("a second model called `{name}`"));
-            let help = format!("the other one is at {place}; give one of them another `name`");
-            cx.faults.push(fault.help(help));
-            break;
+        let name = group.name.as_str();
+        let clash = if group.numbered {
+            let singles = by_stem.get(name).into_iter().flatten();
+            let single = singles
+                .filter(|(number, _)| *number < group.count)
+                .min_by_key(|s| s.0);
+            match numbered.get(name) {
+                Some(other) if other.count > 0 && group.count > 0 => Some((0, *other)),
+                _ => single.copied(),
+            }
+            .map(|(number, other)| (format!("{name}-{number}"), other))
+        } else {
+            let series = stem(name)
+                .and_then(|(stem, number)| numbered.get(stem).filter(|other| number < other.count));
+            plain
+                .get(name)
+                .or(series)
+                .map(|other| (name.to_owned(), *other))
+        };
+        if let Some((name, other)) = clash {
+            cx.faults
+                .push(second(&name, group.span, other.span, cx.sources));
+        }
+        if group.numbered {
+            numbered.insert(name, group);
+        } else {
+            plain.insert(name, group);
+            if let Some((stem, number)) = stem(name) {
+                by_stem.entry(stem).or_default().push((number, group));
+            }
         }
     }
+}
+
+/// `bee` and 17 of `bee-17`, if a numbered model may be called so.
+fn stem(name: &str) -> Option<(&str, u64)> {
+    let (stem, digits) = name.rsplit_once('-')?;
+    let number: u64 = digits.parse().ok()?;
+    (number.to_string() == digits).then_some((stem, number))
+}
+
+fn second(name: &str, here: Span, there: Span, sources: &Sources) -> Fault {
+    let place = match sources.get(there.source) {
+        Some(source) => {
+            let (line, column) = source.line_column(there.start);
+            format!("at {}:{line}:{column}", source.name)
+        }
+        None => "elsewhere".to_owned(),
+    };
+    let help = format!("the other one is {place}; give one of them another `name`");
+    Fault::error(here, format!("a second model called `{name}`")).help(help)
 }
 
 impl Group {

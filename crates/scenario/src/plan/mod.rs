@@ -15,8 +15,8 @@
 //! together with those of the first. What only shows when the models are put together (a behaviour
 //! that misses a sensor) is told by the run's set-up.
 //!
-//! Reading order: [`section`] (how a table is read), [`run`], [`shared`] (what is one for all),
-//! [`start`], [`gear`] (sensors and radios), [`group`] (the models).
+//! Reading order: `section` (how a table is read), `run`, `shared` (what is one for all), `start`,
+//! `gear` (sensors and radios), `group` (the models).
 
 mod gear;
 pub(crate) mod group;

@@ -4,7 +4,7 @@
 //! A row is a class, its kind, the part that does its work here, and its properties. Whether that
 //! part exists yet is the shelf's to say, not this table's.
 
-use simbeeotic_model::registry::Kind;
+use simbeeotic_model::registry::{self, Kind, Part};
 
 /// Where all of the original's classes lived.
 pub(super) const PACKAGE: &str = "harvard.robobees.simbeeotic.";
@@ -86,6 +86,12 @@ impl Class {
 pub(super) fn find(java: &str) -> Option<&'static Class> {
     let name = java.strip_prefix(PACKAGE)?;
     CLASSES.iter().find(|c| c.java == name)
+}
+
+/// The part that does a class's work, if there is one yet.
+pub(super) fn find_part(class: &Class) -> Option<&'static Part> {
+    registry::find(class.kind, &format!("{PACKAGE}{}", class.java))
+        .or_else(|| registry::find(class.kind, class.part))
 }
 
 /// The full names of all classes of these kinds.
@@ -511,5 +517,40 @@ mod tests {
                 || text.parse::<PowerLevel>().is_ok();
             assert!(known, "{unit}");
         }
+    }
+
+    /// Keys that the sections of a scenario know themselves.
+    const COMMON: [&str; 2] = ["noise_floor", "range_limit"];
+
+    #[test]
+    fn every_property_of_a_part_on_the_shelf_leads_to_a_parameter() {
+        use simbeeotic_model::registry::{Part, find};
+        let knows = |part: &Part, key: &str| {
+            let first = key.split('.').next().unwrap_or(key);
+            let schema = (part.schema)();
+            let known = schema
+                .get("properties")
+                .and_then(|p| p.get(first))
+                .is_some();
+            known || COMMON.contains(&first)
+        };
+        let mut checked = 0;
+        for class in CLASSES {
+            let vehicle = class.vehicle.and_then(|name| find(Kind::Vehicle, name));
+            let Some(part) = super::find_part(class) else {
+                continue;
+            };
+            for property in class.properties.iter().flat_map(|group| group.iter()) {
+                let (part, key) = match &property.to {
+                    To::Param(key, _) | To::Component(key, _, _) => (Some(part), key),
+                    To::Vehicle(key, _) => (vehicle, key),
+                    _ => continue,
+                };
+                let part = part.expect("the vehicle is on the shelf");
+                assert!(knows(part, key), "{} {}: {key}", class.java, property.name);
+                checked += 1;
+            }
+        }
+        assert!(checked > 50, "{checked}");
     }
 }

@@ -6,9 +6,9 @@
 //! warning with a guess; a wrong value is an error. Where the original did something wrong that is
 //! right here, a note says so, once a file.
 //!
-//! Reading order: [`tree`] (elements and their places), [`read`] (what each translation does),
-//! [`variables`] and [`java`] (placeholders), [`classes`] (the table of classes and properties),
-//! [`part`] (a class as a part), [`scenario`], [`world`].
+//! Reading order: `tree` (elements and their places), `read` (what each translation does),
+//! `variables` and `java` (placeholders), `classes` (the table of classes and properties), `part` (a
+//! class as a part), `scenario`, `world`.
 
 mod classes;
 mod java;

@@ -41,7 +41,7 @@ impl Translation {
         let aliased = kinds
             .iter()
             .find_map(|kind| registry::find(*kind, &java.text));
-        let part = aliased.or_else(|| class.and_then(|c| registry::find(c.kind, c.part)));
+        let part = aliased.or_else(|| class.and_then(classes::find_part));
         match (part, class) {
             (Some(part), _) => {
                 if let Some(note) = class.and_then(|c| c.note) {
@@ -124,8 +124,7 @@ impl Translation {
 
     fn property(&mut self, class: &Class, name: &Text, value: &Text, settings: &mut Settings) {
         let Some(property) = class.property(&name.text) else {
-            let what = format!("property of `{}`", class.part);
-            self.unknown(name, &what, &class.property_names());
+            self.unknown(name, "property", class.part, &class.property_names());
             return;
         };
         match &property.to {
@@ -192,7 +191,7 @@ impl Translation {
                 .flat_map(|k| k.keys())
                 .map(String::as_str)
                 .collect();
-            self.unknown(name, &format!("property of `{}`", part.label.name), &keys);
+            self.unknown(name, "property", part.label.name, &keys);
             return;
         };
         let unit = find_key(schema.as_value(), property, "x-si-unit");

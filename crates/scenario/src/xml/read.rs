@@ -36,8 +36,8 @@ impl Translation {
         }
     }
 
-    /// Warns of attributes, elements and text in `element` that nobody will look at, and of
-    /// elements that stand there twice.
+    /// Warns of attributes and elements in `element` that nobody will look at. Text where elements
+    /// belong is an error, and so are elements that stand there twice.
     pub(crate) fn check(
         &mut self,
         element: &Element,
@@ -48,8 +48,7 @@ impl Translation {
         for attribute in &element.attributes {
             let name = &attribute.name;
             if !attributes.contains(&name.text.as_str()) {
-                let place = format!("attribute of `{}`", element.name.text);
-                self.unknown(name, &place, attributes);
+                self.unknown(name, "attribute", &element.name.text, attributes);
             }
         }
         for (at, child) in element.children.iter().enumerate() {
@@ -63,26 +62,31 @@ impl Translation {
                 }
             } else if !many.contains(&name) {
                 let known: Vec<&str> = once.iter().chain(many).copied().collect();
-                let place = format!("element in `{}`", element.name.text);
-                self.unknown(&child.name, &place, &known);
+                self.unknown(&child.name, "element", &element.name.text, &known);
             }
         }
-        if !element.text.text.trim().is_empty() && !(once.is_empty() && many.is_empty()) {
-            let message = format!("text in `{}` means nothing", element.name.text);
-            self.warn(element.text.span, message);
+        let wants_elements = !once.is_empty() || !many.is_empty();
+        if wants_elements && !element.text.text.trim().is_empty() {
+            let message = format!(
+                "text in `{}` means nothing: is a `<` missing?",
+                element.name.text
+            );
+            self.error(element.text.span, message);
         }
     }
 
-    /// A warning about something that is not known and is left out.
-    pub(crate) fn unknown(&mut self, name: &Text, what: &str, known: &[&str]) {
-        let fault = Fault::unknown(name.span, what, &name.text, known.iter().copied());
-        let message = format!("{}, which is left out", fault.message);
-        let help = match (known.is_empty(), fault.help) {
-            (false, Some(help)) => help,
-            _ => return self.warn(name.span, message),
-        };
-        self.faults
-            .push(Fault::warning(name.span, message).help(help));
+    /// A warning about something that is not known and is left out: `what` it is, and `of` what.
+    pub(crate) fn unknown(&mut self, name: &Text, what: &str, of: &str, known: &[&str]) {
+        let message = format!(
+            "unknown {what} `{}` of `{of}`, which is left out",
+            name.text
+        );
+        let fault = Fault::warning(name.span, message);
+        let guess = Fault::unknown(name.span, what, &name.text, known.iter().copied()).help;
+        self.faults.push(match guess {
+            Some(guess) if !known.is_empty() => fault.help(guess),
+            _ => fault,
+        });
     }
 
     /// The text with its placeholder, if it is one, replaced by its variable's value.

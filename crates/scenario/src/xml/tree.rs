@@ -4,7 +4,7 @@
 //! are left out. There are no entities but the five of XML and character references; a document type
 //! is skipped.
 
-use crate::limit::DEPTH_MAX;
+use crate::limit::ELEMENT_DEPTH_MAX;
 use quick_xml::Reader;
 use quick_xml::errors::{Error, IllFormedError, SyntaxError};
 use quick_xml::escape::{EscapeError, resolve_xml_entity, unescape};
@@ -155,12 +155,22 @@ impl Builder<'_> {
             self.fault(span, "a second outermost element: a document has one");
             return false;
         }
-        if self.open.len() >= DEPTH_MAX {
-            self.fault(span, format!("nested deeper than {DEPTH_MAX} levels"));
+        if self.open.len() >= ELEMENT_DEPTH_MAX {
+            self.fault(
+                span,
+                format!("nested deeper than {ELEMENT_DEPTH_MAX} levels"),
+            );
             return false;
         }
         let whole_name = start.name().0;
         let name_span = self.span_of(whole_name, span);
+        if !is_name(whole_name) {
+            self.fault(
+                name_span,
+                format!("`{whole_name}` is no name for an element"),
+            );
+            return false;
+        }
         let name = Text {
             text: local(whole_name).to_owned(),
             span: name_span,
@@ -191,12 +201,20 @@ impl Builder<'_> {
                 }
             };
             let key = attribute.key.0;
-            if key == "xmlns" || key.starts_with("xmlns:") || key.starts_with("xsi:") {
-                continue;
-            }
             let raw: &str = &attribute.value;
             let span = self.span_of(raw, tag);
+            if !is_name(key) {
+                let key_span = self.span_of(key, tag);
+                self.fault(key_span, format!("`{key}` is no name for an attribute"));
+                continue;
+            }
+            if raw.contains('<') {
+                self.fault(span, "a value has no `<` in it: is a quote missing?");
+                continue;
+            }
             match unescape(raw) {
+                Ok(_) if key == "xmlns" || key.starts_with("xmlns:") || key.starts_with("xsi:") => {
+                }
                 Ok(value) => {
                     let name = Text {
                         text: local(key).to_owned(),
@@ -330,6 +348,13 @@ impl Builder<'_> {
     }
 }
 
+/// Whether a word can be the name of an element or an attribute.
+fn is_name(word: &str) -> bool {
+    let letter = |c: char| c.is_alphabetic() || matches!(c, '_' | ':');
+    let rest = |c: char| letter(c) || c.is_numeric() || matches!(c, '-' | '.' | '\u{b7}');
+    word.starts_with(letter) && word.chars().all(rest)
+}
+
 /// A name without its namespace prefix.
 fn local(name: &str) -> &str {
     name.rsplit(':').next().unwrap_or(name)
@@ -378,7 +403,7 @@ mod tests {
             .collect()
     }
 
-    fn at<'t>(text: &'t str, span: Span) -> &'t str {
+    fn at(text: &str, span: Span) -> &str {
         &text[span.start..span.end]
     }
 
@@ -422,6 +447,10 @@ mod tests {
             ("</a>", 0),
             ("<!-- x", 0),
             ("<a>a & b</a>", 5),
+            ("<a><<b/></a>", 4),
+            ("<a><1/></a>", 4),
+            ("<a b='<'/>", 6),
+            ("<a 1='2'/>", 3),
         ];
         for (text, place) in cases {
             let found = faults(text);

@@ -267,7 +267,7 @@ impl Definition<'_> {
         }
         // A hair of slack: ten steps of 0.01 lead from 0.2 to 0.3, whatever their sum.
         let count = (steps + 1e-9).floor() + 1.0;
-        if !(count <= VALUES_MAX) {
+        if count.is_nan() || count > VALUES_MAX {
             return self.error(self.element.name.span, "this counts too many values");
         }
         if count > 1.0 && count != original_count(from, to, step) {

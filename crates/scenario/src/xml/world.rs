@@ -140,7 +140,7 @@ impl World {
                 }
                 None => {
                     let known: Vec<&str> = PROPERTIES.iter().map(|p| p.0).collect();
-                    self.t.unknown(&name, "property of the world", &known);
+                    self.t.unknown(&name, "property", "world", &known);
                 }
             }
         }

@@ -1,0 +1,270 @@
+//! World files: every element of the original's, every default; the same in TOML.
+
+use crate::{TOML, WORLD, good, shown};
+use simbeeotic_scenario::{Loaded, Request, convert_world, load_file, load_text};
+use simbeeotic_units::{Angle, Length, Position};
+use simbeeotic_world::{
+    Color, Door, Obstacle, ObstacleShape, Person, PersonShape, Structure, StructureShape, Texture,
+    Trap, World,
+};
+use std::fs;
+
+const RUN: &str = "[run]\nend_time = \"1 s\"\n";
+
+fn m(metres: f64) -> Length {
+    Length::si(metres)
+}
+
+fn at(x: f64, y: f64, z: f64) -> Position {
+    Position::new(m(x), m(y), m(z))
+}
+
+/// A scenario of nothing but the world in `text`, from a file called `name`.
+fn with_world(name: &str, text: &str) -> Result<Loaded, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let world = folder.path().join(name);
+    fs::write(&world, text).expect("written");
+    let request = Request {
+        world: Some(world),
+        ..Request::default()
+    };
+    let loaded = load_text("x.toml", RUN, &request);
+    loaded.map_err(|r| shown(&r).replace(&folder.path().display().to_string(), ""))
+}
+
+fn world(name: &str, text: &str) -> World {
+    match with_world(name, text) {
+        Ok(loaded) => (*loaded.plan().world).clone(),
+        Err(said) => panic!("{said}"),
+    }
+}
+
+#[test]
+fn every_element_of_the_original_is_read() {
+    let world = world("w.xml", WORLD);
+    assert_eq!(world.radius, m(2000.0));
+    assert_eq!(
+        (world.flower.stem_height, world.flower.stem_radius),
+        (m(0.3), m(0.02))
+    );
+    assert_eq!(
+        (world.flower.head_height, world.flower.head_radius),
+        (m(0.03), m(0.2))
+    );
+    let tower = &world.obstacles[0];
+    assert_eq!(tower.position, at(10.0, 11.0, 1.0));
+    assert_eq!(
+        tower.shape,
+        ObstacleShape::Box {
+            length: m(2.0),
+            width: m(3.0),
+            height: m(4.0),
+            rotation: Angle::si(0.5)
+        }
+    );
+    assert_eq!(tower.color, Color::rgba(192, 65, 23, 64));
+    assert_eq!(tower.texture, Some(Texture::Builtin("brick_2".into())));
+    assert_eq!(
+        (tower.label.as_str(), tower.meta["foo"].as_str()),
+        ("tower", "bar")
+    );
+    assert_eq!(
+        world.obstacles[2].texture,
+        Some(Texture::File("bark.png".into()))
+    );
+    assert_eq!(
+        world.obstacles[2].shape,
+        ObstacleShape::Cylinder {
+            diameter: m(0.5),
+            height: m(2.0)
+        }
+    );
+    assert_eq!(
+        world.obstacles[4].shape,
+        ObstacleShape::Sphere { radius: m(3.0) }
+    );
+    assert_eq!(
+        world.obstacles[6].shape,
+        ObstacleShape::Cone {
+            radius: m(2.0),
+            height: m(5.0)
+        }
+    );
+    assert_eq!(
+        world.structures[0].shape,
+        StructureShape::Wall {
+            length: m(5.0),
+            width: m(0.2),
+            height: m(3.0),
+            rotation: Angle::si(1.25),
+            door: Some(Door {
+                position: m(1.5),
+                width: m(0.9),
+                height: m(2.0)
+            }),
+        }
+    );
+    assert_eq!(
+        world.structures[2].shape,
+        StructureShape::Surface {
+            length: m(6.0),
+            width: m(4.0),
+            height: m(0.1),
+            rotation: Angle::si(0.5),
+            trap: Some(Trap {
+                x: m(1.0),
+                y: m(2.0),
+                length: m(3.0),
+                width: m(0.5)
+            }),
+        }
+    );
+    assert_eq!(world.structures[3].meta["floor"], "2");
+    assert_eq!(world.patches[0].center, at(3.0, -2.0, 0.0));
+    assert_eq!(
+        (world.patches[0].radius, world.patches[0].flowers_per_m2),
+        (m(12.0), 0.5)
+    );
+    assert_eq!(world.patches[0].meta["pollen"], "2");
+    assert_eq!(world.people[0].position, at(4.0, 5.0, 6.0));
+    assert_eq!(world.people[0].label, "Ada");
+}
+
+#[test]
+fn every_default_is_that_of_the_original() {
+    let read = world("w.xml", WORLD);
+    let black = Color::rgb(0, 0, 0);
+    assert_eq!(
+        read.obstacles[1],
+        Obstacle {
+            position: at(-5.0, 8.0, 0.0),
+            color: black,
+            ..Obstacle::default()
+        }
+    );
+    let one = m(1.0);
+    assert_eq!(
+        read.obstacles[3].shape,
+        ObstacleShape::Cylinder {
+            diameter: one,
+            height: one
+        }
+    );
+    assert_eq!(read.obstacles[3].color, Color::rgb(140, 140, 140));
+    assert_eq!(
+        read.obstacles[5].shape,
+        ObstacleShape::Sphere { radius: one }
+    );
+    assert_eq!(
+        read.obstacles[7].shape,
+        ObstacleShape::Cone {
+            radius: one,
+            height: one
+        }
+    );
+    assert_eq!(read.structures[1], Structure::default());
+    assert_eq!(
+        read.structures[4].shape,
+        StructureShape::Wall {
+            length: m(5.0),
+            width: one,
+            height: m(2.0),
+            rotation: Angle::ZERO,
+            door: Some(Door::default()),
+        }
+    );
+    assert_eq!(read.patches[1].color, Color::rgb(255, 102, 151));
+    assert_eq!(read.people[1], Person::default());
+    assert_eq!(
+        read.people[1].shape,
+        PersonShape::Man {
+            width: one,
+            height: one
+        }
+    );
+    assert_eq!(world("w.xml", "<world/>"), World::default());
+}
+
+#[test]
+fn the_original_s_world_is_the_same_in_toml() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("w.xml");
+    fs::write(&path, WORLD).expect("written");
+    let converted = convert_world(&path).unwrap_or_else(|r| panic!("{}", shown(&r)));
+    insta::assert_snapshot!("world_xml_as_toml", converted.toml);
+    assert_eq!(world("w.toml", &converted.toml), world("w.xml", WORLD));
+    let said = simbeeotic_scenario::render::faults(&converted.faults, &converted.sources, false);
+    for note in ["its `z` counts", "inside the circle", "here all are right"] {
+        assert_eq!(said.matches(note).count(), 1, "{said}");
+    }
+}
+
+#[test]
+fn a_world_may_stand_in_the_scenario() {
+    let loaded = good("everything.toml", TOML);
+    let world = &loaded.plan().world;
+    assert_eq!(
+        (
+            world.obstacles.len(),
+            world.patches.len(),
+            world.people.len()
+        ),
+        (2, 1, 1)
+    );
+}
+
+#[test]
+fn a_scenario_names_its_world_from_its_own_folder() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("worlds")).expect("made");
+    fs::write(folder.path().join("worlds/w.xml"), WORLD).expect("written");
+    let scenario = folder.path().join("x.toml");
+    fs::write(&scenario, format!("world = \"worlds/w.xml\"\n{RUN}")).expect("written");
+    let loaded =
+        load_file(&scenario, &Request::default()).unwrap_or_else(|r| panic!("{}", shown(&r)));
+    assert_eq!(loaded.plan().world.obstacles.len(), 8);
+}
+
+#[test]
+fn wrong_worlds_say_what_and_where() {
+    let toml = r##"radius = "-5 m"
+[[obstacle]]
+shape = { bix = { length = "1 m" } }
+[[obstacle]]
+shape = { box = { lenght = "1 m" } }
+color = "red"
+[[structure]]
+shape = { wall = { length = "2", door = { breadth = "3 m" } } }
+[[patch]]
+radius = "1 m"
+"##;
+    insta::assert_snapshot!("wrong_world_toml", said("w.toml", toml));
+    let numbers = r##"[[structure]]
+shape = { wall = { length = "2 m", height = "3 m", door = { width = "3 m" } } }
+[[patch]]
+center = ["0 m", "0 m", "0 m"]
+radius = "0 m"
+flowers_per_m2 = -1.0
+"##;
+    insta::assert_snapshot!("wrong_world_numbers", said("w.toml", numbers));
+    let xml = r#"<world>
+  <radius>far</radius>
+  <obstacles>
+    <obstacle><box length="x"><position x="0"/></box></obstacle>
+    <obstacle><color red="300"/></obstacle>
+    <obstacle><sphere/><cone><position x="0" y="0"/></cone></obstacle>
+  </obstacles>
+  <structures><structure><wall door="maybe"><position x="0" y="0"/></wall></structure></structures>
+  <flowers><patch><center x="0" y="0"/></patch></flowers>
+</world>
+"#;
+    insta::assert_snapshot!("wrong_world_xml", said("w.xml", xml));
+}
+
+#[track_caller]
+fn said(name: &str, text: &str) -> String {
+    match with_world(name, text) {
+        Ok(_) => panic!("this should be wrong:\n{text}"),
+        Err(said) => said,
+    }
+}
