@@ -174,7 +174,8 @@ fn report(swarm: &Swarm) {
     let tally = swarm.physics.tally();
     let rate = |n: u64| n as f64 * 1e9 / swarm.begun as f64;
     eprintln!(
-        "  per simulated second: {:.0} contacts, {:.0} searches, {:.1} listings, {:.0} relistings",
+        "  {:.1} s simulated, per second: {:.0} contacts, {:.0} searches, {:.1} listings, {:.0} relistings",
+        swarm.begun as f64 / 1e9,
         rate(tally.contacts),
         rate(tally.searches),
         rate(tally.listings),
