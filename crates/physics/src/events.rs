@@ -25,12 +25,14 @@ impl Physics {
             .peek(&self.motions)
             .map_or(SimTime::MAX, |due| due.time);
         let next = due.min(self.horizon);
+        self.quiet_until = next;
         (next < SimTime::MAX).then_some(next)
     }
 
     /// Predicts the contacts of all bodies that have changed, as of `now`.
     pub fn settle(&mut self, now: SimTime) {
         self.clock = self.clock.max(now);
+        self.quiet_until = SimTime::ZERO;
         let now = self.clock;
         if self.grown {
             self.classify();

@@ -147,6 +147,8 @@ pub struct Physics {
     /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
     /// touch something.
     pub(crate) horizon: SimTime,
+    /// Nothing happens before; known since the last call of `next_time`, if nothing changed since.
+    pub(crate) quiet_until: SimTime,
     /// The latest time anybody named.
     pub(crate) clock: SimTime,
     /// Bodies were added since who meets whom was worked out.
@@ -197,6 +199,7 @@ impl Physics {
             dirty: Vec::new(),
             unlisted: Vec::new(),
             horizon: SimTime::MAX,
+            quiet_until: SimTime::ZERO,
             clock: SimTime::ZERO,
             grown: false,
             tally: Tally::default(),
@@ -232,6 +235,7 @@ impl Physics {
         self.reviews.push(SimTime::MAX);
         self.dirty.push(id);
         self.grown = true;
+        self.quiet_until = SimTime::ZERO;
         Ok(BodyId(id))
     }
 
@@ -293,6 +297,7 @@ impl Physics {
         *place = motion;
         place.stamp = stamp;
         self.clock = self.clock.max(now);
+        self.quiet_until = SimTime::ZERO;
         let duty = &mut self.duties[id.index()];
         if *duty & duty::DIRTY == 0 {
             *duty |= duty::DIRTY;
@@ -306,9 +311,10 @@ impl Physics {
     /// one by one. `t` is the present; asking for another time is right, too, but slow.
     pub fn near(&self, p_enu: DVec3, radius_m: f64, t: SimTime, found: &mut Vec<BodyId>) {
         let mut candidates = Vec::new();
-        // Until the clock, every body is where the lists assume.
+        // Until then, every body is where the lists assume.
+        let until = self.clock.max(self.quiet_until).min(self.horizon);
         let listed = self.dirty.is_empty() && !self.grown;
-        if listed && self.lists.built() <= t && t <= self.clock.min(self.horizon) {
+        if listed && self.lists.built() <= t && t <= until {
             self.lists.around(p_enu, radius_m, &mut candidates);
             candidates.extend_from_slice(&self.unlisted);
         } else {
@@ -384,6 +390,7 @@ impl Physics {
     pub fn advance(&mut self, now: SimTime, contacts: &mut Vec<Contact>) {
         self.settle_if_dirty();
         let first = contacts.len();
+        self.quiet_until = SimTime::ZERO;
         self.run_until(now, contacts);
         self.clock = self.clock.max(now);
         contacts[first..].sort_by_key(|c| (c.time, c.a, c.b.map_or(GROUND, |b| b.0)));
