@@ -69,7 +69,7 @@ fn one(repo: &Repo, program: &Program<'_>, name: &str, accept: bool) -> Result<O
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
         Err(error) => return Err(error).context("its trace cannot be read"),
     };
-    let summary = program.stdout(&["run", &scenario, "--quiet", "--json"])?;
+    let summary = program.stdout(&["run", &scenario, "--quiet", "--json", "--no-record"])?;
     let run = from_summary(&format!("{name}.toml"), &summary)?;
 
     if accept {
@@ -125,7 +125,10 @@ fn stem(name: &str) -> &str {
 }
 
 /// The trace in the program's JSON summary.
-fn from_summary(scenario: &str, json: &str) -> Result<Trace> {
+///
+/// # Errors
+/// It is not JSON, or lacks one of the keys.
+pub fn from_summary(scenario: &str, json: &str) -> Result<Trace> {
     let summary: Value = serde_json::from_str(json).context("the summary is not JSON")?;
     let key = |name: &str| -> Result<&Value> {
         summary

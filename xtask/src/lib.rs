@@ -34,6 +34,8 @@ mod tidy;
 mod tools;
 pub mod trace;
 
+pub use golden::from_summary;
+
 /// Runs `cargo xtask` with the arguments after the program's name.
 ///
 /// Success means that every check that was asked for held.

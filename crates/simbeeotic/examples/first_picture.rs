@@ -82,7 +82,7 @@ fn fly(scenario: &Path) -> Result<Flight, Box<dyn Error>> {
     })
 }
 
-/// Edge of the square that the flight is drawn in, and what is left free around it, in pixels.
+/// Longer edge of what the flight is drawn in, and what is left free around it, in pixels.
 const EDGE: f64 = 720.0;
 const LEFT: f64 = 62.0;
 const TOP: f64 = 24.0;
@@ -91,14 +91,16 @@ const BOTTOM: f64 = 56.0;
 
 /// Colours by height, from the lowest band to the highest.
 const BANDS: [&str; 8] = [
-    "#b3c98f", "#86bd90", "#5ea98f", "#3f938e", "#2a7c8b", "#206484", "#254b7b", "#2c3172",
+    "#a9c26f", "#7fb788", "#57a58c", "#3f938e", "#2a7c8b", "#206484", "#254b7b", "#2c3172",
 ];
 
-/// What is shown of the world: a square on the ground, and bands of height above it.
+/// What is shown of the world: a rectangle on the ground, and bands of height above it.
 struct Window {
     west: f64,
     north: f64,
-    metres: f64,
+    pixels_per_metre: f64,
+    width: f64,
+    height: f64,
     /// The bottom of the lowest band, and how high each band is.
     low: f64,
     band: f64,
@@ -116,13 +118,16 @@ impl Window {
                 high[axis] = high[axis].max(point[axis]);
             }
         }
-        let metres = (high[0] - low[0]).max(high[1] - low[1]).max(1.0) * 1.04;
+        let [east, north] = [0, 1].map(|axis| (high[axis] - low[axis]).max(1.0) * 1.06);
+        let scale = EDGE / east.max(north);
         let band = round_step((high[2] - low[2]).max(0.5) / BANDS.len() as f64);
         let bottom = (low[2] / band).floor() * band;
         Self {
-            west: 0.5 * (low[0] + high[0] - metres),
-            north: 0.5 * (low[1] + high[1] + metres),
-            metres,
+            west: 0.5 * (low[0] + high[0] - east),
+            north: 0.5 * (low[1] + high[1] + north),
+            pixels_per_metre: scale,
+            width: east * scale,
+            height: north * scale,
             low: bottom,
             band,
             bands: ((high[2] - bottom) / band) as usize + 1,
@@ -130,11 +135,11 @@ impl Window {
     }
 
     fn x(&self, east: f64) -> f64 {
-        LEFT + (east - self.west) / self.metres * EDGE
+        LEFT + (east - self.west) * self.pixels_per_metre
     }
 
     fn y(&self, north: f64) -> f64 {
-        TOP + (self.north - north) / self.metres * EDGE
+        TOP + (self.north - north) * self.pixels_per_metre
     }
 
     fn band(&self, up: f64) -> usize {
@@ -150,11 +155,11 @@ impl Window {
 /// The flight as the text of an SVG file.
 fn draw(flight: &Flight) -> String {
     let window = Window::around(&flight.traces);
-    let (width, height) = (LEFT + EDGE + RIGHT, TOP + EDGE + BOTTOM);
+    let (width, height) = (LEFT + window.width + RIGHT, TOP + window.height + BOTTOM);
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" \
          font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#444\">\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"#fdfdfb\"/>\n"
+         <rect width=\"100%\" height=\"100%\" fill=\"#fdfdfb\"/>\n"
     );
     axes(&mut svg, &window);
     paths(&mut svg, &window, &flight.traces);
@@ -166,30 +171,36 @@ fn draw(flight: &Flight) -> String {
 
 /// Grid lines with their metres.
 fn axes(svg: &mut String, window: &Window) {
-    let step = round_step(window.metres / 6.0);
-    let (right, bottom) = (LEFT + EDGE, TOP + EDGE);
-    for n in (window.west / step).ceil() as i64..=((window.west + window.metres) / step) as i64 {
-        let (x, metres) = (window.x(n as f64 * step), n as f64 * step);
-        line(svg, [x, TOP, x, bottom], n == 0);
-        text(svg, [x, bottom + 20.0], "middle", &format!("{metres}"));
+    let (right, bottom) = (LEFT + window.width, TOP + window.height);
+    let [width, height] = [window.width, window.height].map(|p| p / window.pixels_per_metre);
+    let step = round_step(width.max(height) / 8.0);
+    for east in multiples(step, window.west, window.west + width) {
+        let x = window.x(east);
+        line(svg, [x, TOP, x, bottom], east == 0.0);
+        text(svg, [x, bottom + 20.0], "middle", &format!("{east}"));
     }
-    let south = window.north - window.metres;
-    for n in (south / step).ceil() as i64..=(window.north / step).floor() as i64 {
-        let (y, metres) = (window.y(n as f64 * step), n as f64 * step);
-        line(svg, [LEFT, y, right, y], n == 0);
-        text(svg, [LEFT - 8.0, y + 4.5], "end", &format!("{metres}"));
+    for north in multiples(step, window.north - height, window.north) {
+        let y = window.y(north);
+        line(svg, [LEFT, y, right, y], north == 0.0);
+        text(svg, [LEFT - 8.0, y + 4.5], "end", &format!("{north}"));
     }
     text(
         svg,
-        [LEFT + 0.5 * EDGE, bottom + 42.0],
+        [LEFT + 0.5 * window.width, bottom + 42.0],
         "middle",
         "east (m)",
     );
     let _ = writeln!(
         svg,
         "<text transform=\"translate(18 {:.1}) rotate(-90)\" text-anchor=\"middle\">north (m)</text>",
-        TOP + 0.5 * EDGE
+        TOP + 0.5 * window.height
     );
+}
+
+/// The multiples of `step` between two numbers.
+fn multiples(step: f64, from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let (first, last) = ((from / step).ceil() as i64, (to / step).floor() as i64);
+    (first..=last).map(move |n| n as f64 * step)
 }
 
 /// The next of 1, 2, 5, 10, 20, ... that is not below `least`.
@@ -253,7 +264,7 @@ fn marks(svg: &mut String, window: &Window, traces: &[Trace]) {
 
 /// The colours and their heights; below them, what the marks mean.
 fn key(svg: &mut String, window: &Window, flight: &Flight) {
-    let (x, size) = (LEFT + EDGE + 24.0, 26.0);
+    let (x, size) = (LEFT + window.width + 24.0, 26.0);
     let bottom = TOP + window.bands as f64 * size + 24.0;
     text(svg, [x, TOP + 10.0], "start", "height (m)");
     for band in 0..window.bands {

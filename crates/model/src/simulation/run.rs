@@ -352,11 +352,7 @@ impl Simulation {
                 max_ms: lateness.max.as_secs_f64() * 1e3,
             }),
             trace_hash: format!("{:016x}", engine.trace().total()),
-            trace_seconds: engine
-                .trace()
-                .marks()
-                .map(|m| format!("{} {:016x}", m.second, m.hash))
-                .collect(),
+            trace_seconds: trace_seconds(engine.trace()),
             notes: Vec::new(),
         }
     }
@@ -389,6 +385,20 @@ fn view<'a>(
         marks,
         origin,
     }
+}
+
+/// The hash at the end of each virtual second, those in which nothing happened included.
+fn trace_seconds(trace: &TraceLog) -> Vec<String> {
+    let mut seconds = Vec::new();
+    let mut last = simbeeotic_kernel::Trace::START.hash();
+    for mark in trace.marks() {
+        while (seconds.len() as u64) < mark.second {
+            seconds.push(format!("{last:016x}"));
+        }
+        last = mark.hash;
+        seconds.push(format!("{last:016x}"));
+    }
+    seconds
 }
 
 fn packets(swarm: &Swarm) -> Packets {

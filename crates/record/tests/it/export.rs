@@ -1,3 +1,5 @@
+//! CSV and Parquet hold what was recorded.
+
 use crate::swarm::{self, TICK_NS};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Row, RowAccessor};

@@ -1,3 +1,5 @@
+//! A disk that is full, from the start or in mid-run.
+
 #![cfg(target_os = "linux")]
 #![expect(clippy::print_stdout, reason = "the child speaks to its parent")]
 

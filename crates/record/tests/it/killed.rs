@@ -1,3 +1,5 @@
+//! What is left of a recording whose program was killed.
+
 #![cfg(unix)]
 #![expect(clippy::print_stdout, reason = "the child speaks to its parent")]
 #![expect(

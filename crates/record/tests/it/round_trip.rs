@@ -1,3 +1,5 @@
+//! What goes in comes out.
+
 use crate::swarm::{self, TICK_NS};
 use simbeeotic_record::{Header, Precision, ReadError, RecordError, Recorder, Recording, Tick};
 

@@ -3,5 +3,6 @@
 mod bounds;
 mod commands;
 mod determinism;
+mod golden;
 mod program;
 mod shelf;
