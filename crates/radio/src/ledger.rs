@@ -148,7 +148,7 @@ impl Ledger {
     }
 
     fn tx_charge(&self, current: Current, tx_ns: u64) -> Charge {
-        // Wraps to less than nothing while the last span of before is still under way.
+        // A span under way at the change was settled as a whole: until it ends, its rest is negative.
         self.tx_settled + current * (span(tx_ns) - span(self.tx_settled_ns))
     }
 

@@ -70,6 +70,8 @@ pub enum Command {
 /// `open` lists, whether the owner wants to listen or not: receiving takes a radio's time and
 /// charge. Asking again in the same round gives the same inbox and counts nothing twice.
 ///
+/// Radio ids come from `add`; asking about others panics.
+///
 /// # What implementations promise
 ///
 /// Results depend on seeds, keys and poses only: not on threads, not on the order of adding or
@@ -84,7 +86,8 @@ pub trait Medium: Send + Sync {
     /// How many radios there are; their ids are 0 to here.
     fn radios(&self) -> usize;
 
-    /// What a radio is, as it stands after all commands. Panics if there is no such radio.
+    /// What a radio is, as it stands after all commands. A new channel shows from the next round on:
+    /// frames submitted before it still go out on the old one.
     fn spec(&self, radio: RadioId) -> &RadioSpec;
 
     /// Takes a request to send. What becomes of it is in the counters, and in an outcome if it

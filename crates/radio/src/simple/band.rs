@@ -94,7 +94,7 @@ pub(super) struct Delivered {
     pub(super) hits: Vec<Hit>,
     /// First and number of the hits of each row.
     pub(super) spans: Vec<(u32, u32)>,
-    /// Rows with hits: of each hit until they are sorted, then ascending and each once.
+    /// The row of each hit until they are sorted; then the rows with hits, ascending.
     pub(super) rows: Vec<u32>,
 }
 
@@ -301,12 +301,12 @@ impl Delivered {
         self.hits.clear();
     }
 
-    /// Notes a reception. Frame by frame, rows ascending within a frame.
-    #[inline]
-    pub(super) fn note(&mut self, row: u32, frame: u32, power_mw: f32) {
-        self.spans[row as usize].1 += 1;
-        self.rows.push(row);
-        self.hits.push(Hit { frame, power_mw });
+    /// Notes who received a frame; in `receptions`, `Hit::frame` is the row of the receiver. Frame by
+    /// frame, rows ascending within a frame.
+    pub(super) fn note(&mut self, frame: u32, receptions: &[Hit]) {
+        self.rows.extend(receptions.iter().map(|hit| hit.frame));
+        self.hits
+            .extend(receptions.iter().map(|&hit| Hit { frame, ..hit }));
     }
 
     /// Sorts what was noted by row; within a row by frame.
@@ -314,9 +314,12 @@ impl Delivered {
         // One frame: already sorted, one hit a row.
         if self.rows.is_sorted_by(|a, b| a < b) {
             for (first, &row) in (0..).zip(&self.rows) {
-                self.spans[row as usize].0 = first;
+                self.spans[row as usize] = (first, 1);
             }
             return;
+        }
+        for &row in &self.rows {
+            self.spans[row as usize].1 += 1;
         }
         let mut first = 0;
         for span in self.spans.iter_mut().filter(|span| span.1 > 0) {
@@ -331,8 +334,9 @@ impl Delivered {
             span.1 += 1;
         }
         self.hits = sorted;
-        self.rows.sort_unstable();
-        self.rows.dedup();
+        let rows = (0..self.spans.len() as u32).filter(|&row| self.spans[row as usize].1 > 0);
+        self.rows.clear();
+        self.rows.extend(rows);
     }
 
     pub(super) fn hits(&self, row: u32) -> &[Hit] {

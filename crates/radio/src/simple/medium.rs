@@ -242,14 +242,22 @@ impl SimpleMedium {
                         all[curves[j] as usize].table(length)[slot]
                     });
                 }
-                for hit in &scratch.hits {
-                    band.delivered.note(hit.frame, frame as u32, hit.power_mw);
-                }
+                band.delivered.note(frame as u32, &scratch.hits);
                 first = end;
             }
         }
         band.delivered.sort();
 
+        if !air.addressed {
+            owners.extend(
+                band.delivered
+                    .rows
+                    .iter()
+                    .map(|&row| members.owners[row as usize]),
+            );
+            return;
+        }
+        // Whoever hears nothing but what is for others will not collect: it is booked here.
         for index in 0..band.delivered.rows.len() {
             let row = band.delivered.rows[index];
             let owner = members.owners[row as usize];
@@ -257,7 +265,7 @@ impl SimpleMedium {
             let kept = heard.sort_out(air, owner, band.delivered.hits_mut(row));
             band.delivered.truncate(row, kept);
             let radio = members.columns.radios[row as usize];
-            self.radios[radio as usize].book(self.now, &heard);
+            self.radios[radio as usize].book(self.round, self.now, &heard);
             if kept > 0 {
                 owners.push(owner);
             }
@@ -273,7 +281,7 @@ impl SimpleMedium {
             let radio = &self.radios[members.columns.radios[row] as usize];
             let heard = self.hear(radio, &mut scratch, true);
             if scratch.hits.is_empty() {
-                radio.book_round(self.round, self.now, &heard);
+                radio.book(self.round, self.now, &heard);
             } else {
                 owners.push(members.owners[row]);
             }
@@ -442,10 +450,16 @@ impl Medium for SimpleMedium {
         let band = &self.bands[radio.band as usize];
         let hits = match band.mode {
             Mode::Quiet => &[],
-            Mode::ByFrame => band.delivered.hits(radio.row),
+            Mode::ByFrame => {
+                let hits = band.delivered.hits(radio.row);
+                let mut heard = Heard::default();
+                heard.take_stock(&band.air, hits);
+                radio.book(self.round, self.now, &heard);
+                hits
+            }
             Mode::ByReceiver => {
                 let heard = self.hear(radio, scratch, false);
-                radio.book_round(self.round, self.now, &heard);
+                radio.book(self.round, self.now, &heard);
                 &scratch.hits
             }
         };

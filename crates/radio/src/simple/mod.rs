@@ -16,8 +16,9 @@
 //! # What it does not model
 //!
 //! Collisions, a busy channel, half duplex, delay: 550 radios that all speak at the same moment hear
-//! each other, which on a real IEEE 802.15.4 channel about 2 % of the frames would survive. Charge
-//! is booked as if frames took their air time.
+//! each other; on a real IEEE 802.15.4 channel about 2 % of these frames would get through. Charge
+//! is booked as if frames took their air time: to the sender for each frame, to a receiver for each that
+//! gets through, and once where they overlap.
 //!
 //! # How it works
 //!
@@ -25,6 +26,10 @@
 //! receiver, in parallel. Both go through the functions of `pair`, and agree to the bit. The noise is
 //! folded into a table of the chance of reception over received power (`success`); one hashed draw,
 //! named by seed, frame and receiver, decides.
+//!
+//! Pairs are worked in f32. Within 10 km of the origin a coordinate is then right to half a millimetre,
+//! and the power over 1 m or more to 0.01 dB. The reported RSSI is that power; only the chance of
+//! reception goes through the table, which is at most 0.017 dB off.
 
 mod band;
 mod medium;
@@ -67,7 +72,7 @@ impl Default for SimpleConfig {
             noise_floor: PowerLevel::from_dbm(-100.0),
             noise_sigma: Decibels::from_db(10.0),
             propagation: Arc::new(FreeSpace),
-            by_receiver_from: 64,
+            by_receiver_from: 16,
         }
     }
 }

@@ -16,14 +16,14 @@ use simbeeotic_kernel::{ModelId, SimTime};
 pub(super) struct Radio {
     pub(super) band: u32,
     pub(super) row: u32,
+    /// The last round that was booked here.
+    booked: Tally,
     received: Tally,
     pub(super) ledger: Ledger,
     overheard: Tally,
     /// Frames within range and above the sensitivity, but for those counted in the band's columns.
     in_range: Tally,
     audible: Tally,
-    /// The last round that was booked by receiver.
-    booked: Tally,
     pub(super) presence: Presence,
     /// Frames sent, ever.
     pub(super) sent: u64,
@@ -74,13 +74,22 @@ impl Radio {
         }
     }
 
-    /// Books what was heard in a round that is worked by receiver. Once: inboxes may be asked for
-    /// again.
-    pub(super) fn book_round(&self, round: u64, now: SimTime, heard: &Heard) {
-        if self.booked.get() != round {
-            self.booked.set(round);
+    /// Books what was heard in a round. Once: inboxes may be asked for again.
+    #[inline]
+    pub(super) fn book(&self, round: u64, now: SimTime, heard: &Heard) {
+        if self.booked.get() == round {
+            return;
+        }
+        self.booked.set(round);
+        self.received.add(heard.received);
+        if heard.airtime_ns > 0 {
+            self.ledger.receive(now, heard.airtime_ns);
+        }
+        if heard.overheard > 0 {
+            self.overheard.add(heard.overheard);
+        }
+        if heard.reach != Reach::default() {
             self.book_reach(heard.reach);
-            self.book(now, heard);
         }
     }
 
@@ -88,18 +97,6 @@ impl Radio {
     pub(super) fn book_reach(&self, reach: Reach) {
         self.in_range.add(reach.in_range);
         self.audible.add(reach.audible);
-    }
-
-    /// Books what got through.
-    #[inline]
-    pub(super) fn book(&self, now: SimTime, heard: &Heard) {
-        self.received.add(heard.received);
-        if heard.overheard > 0 {
-            self.overheard.add(heard.overheard);
-        }
-        if heard.airtime_ns > 0 {
-            self.ledger.receive(now, heard.airtime_ns);
-        }
     }
 
     /// Ends the present state; the next one begins when its band has carried `next_sent` frames.
@@ -145,39 +142,42 @@ impl Presence {
 }
 
 impl Heard {
-    /// Takes stock of some of the frames that got through, and puts those for `owner` in front.
-    /// Returns how many these are.
-    pub(super) fn sort_out(&mut self, air: &Air, owner: ModelId, hits: &mut [Hit]) -> usize {
+    /// Takes stock of some of the frames that got through.
+    #[inline]
+    pub(super) fn take_stock(&mut self, air: &Air, hits: &[Hit]) {
         if hits.is_empty() {
-            return 0;
+            return;
         }
-        let frame = |hit: &Hit| &air.frames[hit.frame as usize];
         let longest = if air.alike {
             air.frames[0].airtime_ns
         } else {
-            hits.iter()
-                .map(|hit| frame(hit).airtime_ns)
-                .max()
-                .unwrap_or(0)
+            let airtimes = hits
+                .iter()
+                .map(|hit| air.frames[hit.frame as usize].airtime_ns);
+            airtimes.max().unwrap_or(0)
         };
         self.airtime_ns = self.airtime_ns.max(longest);
+        self.received += hits.len() as u64;
+    }
 
-        let mut kept = hits.len();
-        if air.addressed {
-            kept = 0;
-            for index in 0..hits.len() {
-                let hit = hits[index];
-                if frame(&hit)
-                    .destination
-                    .is_none_or(|destination| destination == owner)
-                {
-                    hits[kept] = hit;
-                    kept += 1;
-                }
+    /// Takes stock, and puts the hits for `owner` in front. Returns how many these are.
+    #[inline]
+    pub(super) fn sort_out(&mut self, air: &Air, owner: ModelId, hits: &mut [Hit]) -> usize {
+        self.take_stock(air, hits);
+        if !air.addressed {
+            return hits.len();
+        }
+        let mut kept = 0;
+        for index in 0..hits.len() {
+            let destination = air.frames[hits[index].frame as usize].destination;
+            if destination.is_none_or(|destination| destination == owner) {
+                hits[kept] = hits[index];
+                kept += 1;
             }
         }
-        self.received += kept as u64;
-        self.overheard += (hits.len() - kept) as u64;
+        let others = (hits.len() - kept) as u64;
+        self.received -= others;
+        self.overheard += others;
         kept
     }
 }
