@@ -1,4 +1,5 @@
 //! The shelf in flight: what the parts do in a run, against closed forms and the paper's numbers.
 
+mod agents;
 mod flight;
 mod swarm;

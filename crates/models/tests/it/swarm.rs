@@ -6,7 +6,7 @@ use simbeeotic_model::kernel::{Limits, SimTime};
 use simbeeotic_model::radio::{Isotropic, Medium, SimpleConfig, SimpleMedium};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::units::{Attitude, Mount, Pose, Position};
-use simbeeotic_model::world::{Weather, World};
+use simbeeotic_model::world::{Calm, Weather, World};
 use simbeeotic_model::{ModelPlan, Origin, Setup, Simulation};
 // Brings the parts onto the shelf.
 use simbeeotic_models as _;
@@ -102,7 +102,7 @@ pub(crate) fn with_radio(mut plan: ModelPlan) -> ModelPlan {
 
 /// A run of these models.
 pub(crate) fn run(models: Vec<ModelPlan>, seconds: u64) -> Simulation {
-    run_in(models, seconds, Arc::new(simbeeotic_model::world::Calm), 1)
+    run_in(models, seconds, Arc::new(Calm), 1)
 }
 
 /// A run of these models in some weather, on some threads.
@@ -112,8 +112,23 @@ pub(crate) fn run_in(
     weather: Arc<dyn Weather>,
     threads: usize,
 ) -> Simulation {
-    let medium = SimpleMedium::new(SimpleConfig::default()).expect("good numbers");
     let setup = Setup {
+        weather,
+        threads,
+        ..setup(models, seconds)
+    };
+    Simulation::new(setup).expect("it can be put together")
+}
+
+/// A model without a body.
+pub(crate) fn model(name: &str, behavior: &str) -> ModelPlan {
+    bee(name, behavior, &[], [0.0; 3])
+}
+
+/// What a run of these models is made of.
+pub(crate) fn setup(models: Vec<ModelPlan>, seconds: u64) -> Setup {
+    let medium = SimpleMedium::new(SimpleConfig::default()).expect("good numbers");
+    Setup {
         origin: Origin {
             seed: 7,
             ..Origin::default()
@@ -122,14 +137,13 @@ pub(crate) fn run_in(
             end: SimTime::from_secs(seconds),
             ..Limits::default()
         },
-        threads,
+        threads: 1,
         pace: None,
         physics: Default::default(),
         medium: Some(Box::new(medium) as Box<dyn Medium>),
-        weather,
+        weather: Arc::new(Calm),
         world: Arc::new(World::default()),
         models,
         components: Vec::new(),
-    };
-    Simulation::new(setup).expect("it can be put together")
+    }
 }
