@@ -64,6 +64,10 @@ pub struct Own {
 }
 
 /// What a model does to others.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "nearly all effects are motions: a box each would cost more"
+)]
 pub enum Effect {
     /// Its own body moves differently from now on.
     Motion(Own),

@@ -275,7 +275,7 @@ impl SimpleBee {
             flown = Velocity::from_si(turned.si());
         }
         if speed > 0.0 {
-            flown = flown * (1.0 + speed * self.errors.normal());
+            flown *= 1.0 + speed * self.errors.normal();
         }
         flown
     }

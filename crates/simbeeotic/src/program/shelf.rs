@@ -121,15 +121,18 @@ fn page(part: &Part) -> String {
             .map(simbeeotic_scenario::print::value)
             .unwrap_or_default();
         let _ = writeln!(page, "\n  {name} = {value}");
-        let field = resolve(&schema, field);
-        let text = field["description"].as_str().unwrap_or("");
+        let kind = resolve(&schema, field);
+        let text = field["description"]
+            .as_str()
+            .or(kind["description"].as_str())
+            .unwrap_or("");
         for line in text.lines() {
             let _ = writeln!(page, "      {line}");
         }
-        if let Some(units) = units(field).filter(|u| !u.is_empty()) {
+        if let Some(units) = units(kind).filter(|u| !u.is_empty()) {
             let _ = writeln!(page, "      unit: {units}");
         }
-        let choices = choices(field);
+        let choices = choices(kind);
         if !choices.is_empty() {
             let _ = writeln!(page, "      one of: {}", choices.join(", "));
         }
@@ -140,18 +143,14 @@ fn page(part: &Part) -> String {
     page
 }
 
-/// A field that refers to a definition, with the definition's keys below its own.
+/// The type of a field: itself, or the definition that it refers to.
 fn resolve<'a>(schema: &'a Value, field: &'a Value) -> &'a Value {
-    let by_reference = |v: &Value| -> Option<&'a Value> {
-        let name = v["$ref"].as_str()?.rsplit('/').next()?.to_owned();
-        schema["$defs"].get(&name)
-    };
-    // The description stands beside the reference; choices and units stand behind it.
-    if field["description"].is_string() && field.get("$ref").is_none() {
-        field
-    } else {
-        by_reference(field).unwrap_or(field)
-    }
+    let reference = field["$ref"]
+        .as_str()
+        .or(field["allOf"][0]["$ref"].as_str());
+    let name = reference.and_then(|r| r.rsplit('/').next());
+    name.and_then(|name| schema["$defs"].get(name))
+        .unwrap_or(field)
 }
 
 fn units(field: &Value) -> Option<String> {

@@ -27,5 +27,8 @@ fn golden_scenarios_do_what_they_did() {
         }
         compared += 1;
     }
-    assert!(compared >= 5, "five scenarios have golden traces, and {compared} were compared");
+    assert!(
+        compared >= 5,
+        "five scenarios have golden traces, and {compared} were compared"
+    );
 }
