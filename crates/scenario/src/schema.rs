@@ -4,6 +4,7 @@
 //! `#:schema ./scenario.schema.json`. A section whose `use` names a part has that part's
 //! parameters.
 
+use crate::plan::DEFAULT_VEHICLE;
 use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
 use simbeeotic_model::registry::{Kind, Part, of_kind};
@@ -324,6 +325,11 @@ fn model(all: &mut Definitions) -> Value {
         &Map::new(),
         "The vehicle that it flies.",
     );
+    // The usual vehicle needs no name: its parameters may stand alone.
+    let usual = format!("{}.{DEFAULT_VEHICLE}", Kind::Vehicle.name());
+    if let Some(usual) = all.parts.get_mut(&usual).and_then(Value::as_object_mut) {
+        usual.remove("required");
+    }
     let by_name = |items: &Value| json!({ "type": "object", "additionalProperties": items });
     let common = |params: Value, used: Value| {
         let properties = entries([

@@ -173,7 +173,7 @@ fn named(
 }
 
 /// The vehicle of whatever flies and names none.
-const DEFAULT_VEHICLE: &str = "simple-bee";
+pub(crate) const DEFAULT_VEHICLE: &str = "simple-bee";
 
 fn default_vehicle() -> Option<&'static Part> {
     find(simbeeotic_model::registry::Kind::Vehicle, DEFAULT_VEHICLE)

@@ -1,8 +1,92 @@
 //! The original's scenario files: every element, every property, every variable.
 
 use crate::{XML, bad, good};
+use simbeeotic_model::units::Speed;
+use simbeeotic_model::{Behavior, BuildError, Kit, behavior, params};
 use simbeeotic_scenario::print::same;
 use simbeeotic_scenario::{Request, load_text, render};
+
+/// A bee that no table knows: its own crate says which Java class it stands for.
+#[behavior("foreign-bee", java = "org.example.ForeignBee")]
+struct ForeignBee;
+
+/// Parameters of [`ForeignBee`].
+#[params]
+struct ForeignBeeParams {
+    /// A quantity.
+    cruise_speed: Speed,
+    /// A whole number.
+    laps: u32,
+    /// A flag.
+    loud: bool,
+    /// A number.
+    gain: f64,
+    /// A text.
+    song: String,
+}
+
+impl Default for ForeignBeeParams {
+    fn default() -> Self {
+        Self {
+            cruise_speed: Speed::ZERO,
+            laps: 0,
+            loud: false,
+            gain: 0.0,
+            song: String::new(),
+        }
+    }
+}
+
+impl Behavior for ForeignBee {
+    type Params = ForeignBeeParams;
+
+    fn build(_params: ForeignBeeParams, _kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        Ok(Self)
+    }
+}
+
+#[test]
+fn a_class_of_a_user_s_own_is_read_by_its_schema() {
+    let (toml, said) = converted(&scenario(
+        r#"<model><java-class>org.example.ForeignBee</java-class>
+             <properties>
+               <prop name="cruise-speed" value="3"/>
+               <prop name="laps" value="2"/>
+               <prop name="loud" value="true"/>
+               <prop name="gain" value="0.5"/>
+               <prop name="song" value="la"/>
+               <prop name="lapps" value="3"/>
+             </properties></model>"#,
+        "",
+    ));
+    for line in [
+        "cruise_speed = \"3 m/s\"",
+        "laps = 2",
+        "loud = true",
+        "gain = 0.5",
+        "song = \"la\"",
+    ] {
+        assert!(toml.contains(line), "{toml}");
+    }
+    assert!(
+        said.contains("unknown property `lapps` of `foreign-bee`"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_value_that_the_part_refuses_is_shown_in_the_xml() {
+    let text = XML.replace(
+        "\"tx-power-level\" value=\"27\"",
+        "\"tx-power-level\" value=\"99\"",
+    );
+    let said = bad("everything.xml", &text);
+    assert!(said.contains("must be a level from 3 to 31"), "{said}");
+    assert!(
+        said.contains("<prop name=\"tx-power-level\" value=\"99\"/>"),
+        "{said}"
+    );
+}
 
 const PACKAGE: &str = "harvard.robobees.simbeeotic";
 
