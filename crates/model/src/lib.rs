@@ -12,9 +12,9 @@
 //!                     registry: parts         kernel: instants
 //! ```
 //!
-//! Reading order: [`behavior`] and [`host`] (what most people need), [`sensor`] and [`vehicle`]
+//! Reading order: [`behavior`](mod@behavior) and [`host`] (what most people need), [`sensor`](mod@sensor) and [`vehicle`](mod@vehicle)
 //! (to add a part), [`registry`] and [`config`] (how names become parts), [`swarm`] (what is shared
-//! and in which order it changes), [`simulation`] (a run), [`component`] (who watches).
+//! and in which order it changes), [`simulation`] (a run), [`component`](mod@component) (who watches).
 
 // The attribute macros say `::simbeeotic_model`, in this crate too.
 extern crate self as simbeeotic_model;

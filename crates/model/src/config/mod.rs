@@ -5,7 +5,7 @@
 //! reads its parameters) still points at the line the user wrote.
 //!
 //! Reading order: [`node`] (the tree), [`fault`] (what may be wrong with it), [`de`] (serde: from
-//! a node to a typed value), [`read`] (all faults of a section at once).
+//! a node to a typed value), [`read`](mod@read) (all faults of a section at once).
 
 pub mod de;
 pub mod fault;
