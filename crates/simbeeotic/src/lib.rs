@@ -32,7 +32,7 @@
 //!     type Params = SpiralBeeParams;
 //!
 //!     fn build(params: SpiralBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-//!         kit.every(Time::from_seconds(1.0), Self::steer);
+//!         kit.every(Time::from_secs(1.0), Self::steer);
 //!         Ok(Self { params })
 //!     }
 //! }
@@ -85,3 +85,8 @@ pub use library::{Error, run_file, run_text};
 pub mod prelude {
     pub use crate::model::prelude::*;
 }
+
+// The book's code is compiled, and its tests run, with the examples of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/first-swarm.md")]
+mod book {}
