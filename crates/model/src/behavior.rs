@@ -1,16 +1,41 @@
 //! Behaviours: the part of a model that its author writes.
 //!
-//! ```ignore
-//! /// A bee that climbs and looks around.
+//! ```
+//! use simbeeotic_model::prelude::*;
+//!
+//! /// A bee that looks around.
 //! #[behavior("scout-bee")]
-//! pub struct ScoutBee { params: ScoutBeeParams, compass: Handle<Heading> }
+//! pub struct ScoutBee {
+//!     compass: Handle<Heading>,
+//! }
+//!
+//! /// Parameters of [`ScoutBee`].
+//! #[params]
+//! pub struct ScoutBeeParams {
+//!     /// Time between two looks.
+//!     pub look_period: Time,
+//! }
+//!
+//! impl Default for ScoutBeeParams {
+//!     fn default() -> Self {
+//!         Self { look_period: Time::from_secs(1.0) }
+//!     }
+//! }
 //!
 //! impl Behavior for ScoutBee {
 //!     type Params = ScoutBeeParams;
 //!
 //!     fn build(params: ScoutBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
 //!         kit.every(params.look_period, Self::look);
-//!         Ok(Self { params, compass: kit.sensor("compass")? })
+//!         Ok(Self { compass: kit.sensor("compass")? })
+//!     }
+//! }
+//!
+//! impl ScoutBee {
+//!     fn look(&mut self, bee: &mut Bee<'_>) {
+//!         let heading = bee.read(self.compass);
+//!         bee.log(format!("looking to {heading}"));
+//!         bee.turn(Angle::from_degrees(30.0));
 //!     }
 //! }
 //! ```

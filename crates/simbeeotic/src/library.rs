@@ -1,6 +1,7 @@
 //! A run in one call, for tests and small programs.
 
-use simbeeotic_model::{Setup, Simulation, SimulationError, Summary};
+use simbeeotic_model::config::Fault;
+use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
 use simbeeotic_units::{Pose, Twist};
 use std::ops::Deref;
@@ -71,7 +72,8 @@ fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
     let setup: Setup = loaded
         .setup()
         .map_err(|faults| Error::Scenario(render::faults(&faults, loaded.sources(), false)))?;
-    let mut simulation = Simulation::new(setup).map_err(|e| Error::Scenario(e.to_string()))?;
+    let mut simulation =
+        Simulation::new(setup).map_err(|e| Error::Scenario(setup_text(&loaded, e, false)))?;
     let outcome = simulation.run();
     match outcome.error {
         Some(error) => Err(error.into()),
@@ -80,4 +82,19 @@ fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
             summary: outcome.summary,
         }),
     }
+}
+
+/// Why a run cannot be put together, as text: each fault at its place in the scenario.
+pub(crate) fn setup_text(loaded: &Loaded, error: SetupError, colour: bool) -> String {
+    let SetupError::Models(faults) = error else {
+        return error.to_string();
+    };
+    let named = faults.into_iter().map(|(path, fault)| {
+        let message = format!("{path}: {}", fault.message);
+        Fault { message, ..fault }
+    });
+    let faults: Vec<Fault> = named.collect();
+    render::faults(&faults, loaded.sources(), colour)
+        .trim_end()
+        .to_owned()
 }

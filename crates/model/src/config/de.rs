@@ -77,12 +77,67 @@ impl de::Error for ReadError {
         }
     }
 
+    fn invalid_type(found: de::Unexpected<'_>, expected: &dyn de::Expected) -> Self {
+        de::Error::custom(format!(
+            "{} where {} is wanted",
+            kind(&found),
+            wanted(expected)
+        ))
+    }
+
+    fn invalid_value(found: de::Unexpected<'_>, expected: &dyn de::Expected) -> Self {
+        let found = match found {
+            de::Unexpected::Signed(number) => number.to_string(),
+            de::Unexpected::Unsigned(number) => number.to_string(),
+            other => kind(&other).to_owned(),
+        };
+        de::Error::custom(format!("{found} where {} is wanted", wanted(expected)))
+    }
+
+    fn invalid_length(length: usize, expected: &dyn de::Expected) -> Self {
+        de::Error::custom(format!(
+            "{length} entries where {} is wanted",
+            wanted(expected)
+        ))
+    }
+
     fn missing_field(field: &'static str) -> Self {
         Self {
             span: None,
             message: format!("`{field}` is missing here"),
             help: None,
         }
+    }
+}
+
+/// What was found, in the words of a user.
+fn kind(found: &de::Unexpected<'_>) -> &'static str {
+    match found {
+        de::Unexpected::Bool(_) => "a boolean",
+        de::Unexpected::Signed(_) | de::Unexpected::Unsigned(_) => "a whole number",
+        de::Unexpected::Float(_) => "a number",
+        de::Unexpected::Str(_) | de::Unexpected::Char(_) => "text",
+        de::Unexpected::Seq => "a list",
+        de::Unexpected::Map => "a table",
+        _ => "something else",
+    }
+}
+
+/// What was expected: serde names Rust's types.
+fn wanted(expected: &dyn de::Expected) -> String {
+    let words = expected.to_string();
+    match words.as_str() {
+        "u8" => "a whole number from 0 to 255".to_owned(),
+        "u16" => "a whole number from 0 to 65535".to_owned(),
+        "u32" | "u64" | "u128" | "usize" => "a whole number, not negative,".to_owned(),
+        "i8" | "i16" | "i32" | "i64" | "i128" | "isize" => "a whole number".to_owned(),
+        "f32" | "f64" => "a number".to_owned(),
+        "a string" => "text".to_owned(),
+        "a sequence" => "a list".to_owned(),
+        "a map" => "a table".to_owned(),
+        other if other.starts_with("struct ") => "a table".to_owned(),
+        other if other.starts_with("enum ") => "one choice".to_owned(),
+        _ => words.replace("an array of length", "a list of length"),
     }
 }
 

@@ -65,7 +65,7 @@ fn all_faults<T: DeserializeOwned>(node: &Node, first: ReadError) -> Vec<Fault> 
     faults
 }
 
-/// Takes out the innermost table entry that `span` belongs to.
+/// Takes out the innermost table entry that `span` belongs to, in tables of lists too.
 fn set_aside(table: &mut Table, span: Span) -> bool {
     if let Some(at) = table.entries.iter().position(|(key, _)| key.span == span) {
         table.entries.remove(at);
@@ -78,12 +78,18 @@ fn set_aside(table: &mut Table, span: Span) -> bool {
     else {
         return false;
     };
-    if let Value::Table(inner) = &mut table.entries[at].1.value
-        && set_aside(inner, span)
-    {
-        return true;
+    let done = match &mut table.entries[at].1.value {
+        Value::Table(inner) => set_aside(inner, span),
+        Value::Array(items) => items
+            .iter_mut()
+            .filter(|item| item.span.contains(span))
+            .filter_map(Node::as_table_mut)
+            .any(|inner| set_aside(inner, span)),
+        _ => false,
+    };
+    if !done {
+        table.entries.remove(at);
     }
-    table.entries.remove(at);
     true
 }
 
@@ -138,6 +144,29 @@ mod tests {
             .collect();
         assert_eq!(places, [3, 10, 51, 64], "{faults:?}");
         assert_eq!(faults[1].help.as_deref(), Some("did you mean `name`?"));
+    }
+
+    #[test]
+    fn one_wrong_table_of_a_list_does_not_hide_the_next() {
+        #[derive(Debug, Default, Deserialize)]
+        #[serde(default)]
+        struct List {
+            noise: Vec<Inner>,
+        }
+        let item = |from: usize| {
+            let mut inner = Table::default();
+            entry(&mut inner, "mean", from + 1, Value::String("x".into()));
+            Node::new(at(from, from + 15), Value::Table(inner))
+        };
+        let mut table = Table::default();
+        table.set(
+            "noise",
+            Node::new(at(5, 60), Value::Array(vec![item(10), item(30)])),
+        );
+        let node = Node::new(at(0, 100), Value::Table(table));
+        let faults = read_params::<List>(&node).expect_err("two faults");
+        assert_eq!(faults.len(), 2, "{faults:?}");
+        assert_eq!(faults[0].message, "text where a number is wanted");
     }
 
     #[test]

@@ -63,14 +63,9 @@ pub struct ModelPlan {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SetupError {
-    /// A model cannot be built.
-    #[error("{path}: {fault}")]
-    Model {
-        /// Its path.
-        path: String,
-        /// Why, and where in the scenario.
-        fault: Fault,
-    },
+    /// Models cannot be built: each fault once, with the path of the first model that has it.
+    #[error("{}", .0.iter().map(|(path, fault)| format!("{path}: {fault}")).collect::<Vec<_>>().join("; "))]
+    Models(Vec<(String, Fault)>),
     /// Two models have one path.
     #[error("two models are called `{path}`")]
     DuplicatePath {
@@ -97,6 +92,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     let mut population = Population::default();
     let (mut agents, mut bodies, mut owners) = (Vec::new(), Vec::new(), Vec::new());
     let mut keys = Vec::with_capacity(plans.len());
+    let mut faults: Vec<(String, Fault)> = Vec::new();
     for plan in &plans {
         let parent = plan.parent.map(|at| ModelId(at as u32));
         let member = Member {
@@ -121,13 +117,16 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             body: None,
             radios: Vec::new(),
         };
-        let model = plan
-            .factory
-            .build(&mut instance)
-            .map_err(|fault| SetupError::Model {
-                path: plan.path.clone(),
-                fault,
-            })?;
+        let model = match plan.factory.build(&mut instance) {
+            Ok(model) => model,
+            Err(fault) => {
+                // A thousand bees of one section have one fault.
+                if !faults.iter().any(|(_, known)| *known == fault) {
+                    faults.push((plan.path.clone(), fault));
+                }
+                continue;
+            }
+        };
         if instance.body.is_some() {
             owners.push(id);
         }
@@ -143,6 +142,9 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             accounts: crate::energy::Accounts::default(),
         };
         agents.push(Agent { model, core });
+    }
+    if !faults.is_empty() {
+        return Err(SetupError::Models(faults));
     }
     check_keys(&keys, &population)?;
     let swarm = Swarm {

@@ -2,6 +2,7 @@
 
 use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
+use crate::library;
 use simbeeotic_model::config::{Key, Node, Span, Table, Value};
 use simbeeotic_model::{Setup, SetupError};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, render};
@@ -45,15 +46,9 @@ pub(super) fn setup(loaded: &Loaded) -> Result<Setup, Failure> {
     })
 }
 
-/// A model that cannot be built, at its place in the scenario.
+/// Models that cannot be built, at their places in the scenario.
 pub(super) fn setup_failure(loaded: &Loaded, error: SetupError) -> Failure {
-    match error {
-        SetupError::Model { path, mut fault } => {
-            fault.message = format!("{path}: {}", fault.message);
-            Failure::input(render::faults(&[fault], loaded.sources(), colour()).trim_end())
-        }
-        other => Failure::input(other),
-    }
+    Failure::input(library::setup_text(loaded, error, colour()))
 }
 
 /// A span of time in an argument.

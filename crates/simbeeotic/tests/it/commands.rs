@@ -213,3 +213,29 @@ fn a_new_crate_is_made_once() {
     );
     assert_eq!(program.call(&["new", "My Swarm"]).code, Some(2));
 }
+
+#[test]
+fn faults_of_building_are_all_shown_and_each_once() {
+    let program = Program::new();
+    program.write(
+        "bad.toml",
+        r#"[run]
+seed = 1
+end_time = "1 s"
+
+[[model]]
+use = "inert-bee"
+count = 50
+vehicle = { use = "simple-bee", mass = "-1 kg" }
+
+[[model]]
+use = "broadcast-bee"
+count = 50
+"#,
+    );
+    let call = program.call(&["check", "bad.toml"]);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("bad.toml:8:40"), "{}", call.err);
+    assert!(call.err.contains("a radio is wanted"), "{}", call.err);
+    assert!(call.err.contains("2 errors in bad.toml"), "{}", call.err);
+}
