@@ -75,7 +75,7 @@ pub mod prelude {
     pub use crate::check::{at_least_zero, in_range, positive};
     pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Station};
     pub use crate::kernel::{ModelId, SimTime, Stream};
-    pub use crate::physics::{BodySpec, Shape};
+    pub use crate::physics::{BodySpec, Contacts, Material, Mobility, Shape, group};
     pub use crate::radio::{Inbox, Packet};
     pub use crate::units::{
         Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,

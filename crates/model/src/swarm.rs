@@ -8,22 +8,24 @@
 //! 3. *commit*: what they did is applied in the order of their ids;
 //! 4. *close*: contacts of the bodies that changed are predicted anew.
 
-use crate::energy::Accounts;
+use crate::energy::{Accounts, Consumer};
 use crate::host::Cx;
 use crate::message::{Message, Touch};
 use crate::model::{Model, Wake as ModelWake};
 use crate::population::Population;
 use crate::timer::{Call, TimerHandle};
 use simbeeotic_kernel::{
-    Committing, Domain, ModelId, Opening, Outbox, SimTime, Stream, Timers, Trace, Visit, Wake,
+    Committing, Domain, Event, ModelId, Opening, Outbox, SimTime, Stream, Timers, Trace, Visit,
+    Wake,
 };
 use simbeeotic_physics::{BodyId, Contact, Motion, Physics};
-use simbeeotic_radio::{Command, Medium, Poses, RadioId, Request, Scratch};
+use simbeeotic_radio::{Command, Medium, Poses, RadioId, RadioState, Request, Scratch};
 use simbeeotic_units::{
     Acceleration, Attitude, Length, Pose, Position, Rate, Twist, Velocity, glam,
 };
 use simbeeotic_world::{Weather, World};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -52,6 +54,8 @@ pub(crate) struct Core {
     pub(crate) timers: Timers,
     /// What each timer calls.
     pub(crate) calls: Vec<Call>,
+    /// Messages sent so far.
+    pub(crate) told: u32,
     pub(crate) accounts: Accounts,
 }
 
@@ -81,6 +85,8 @@ pub enum Effect {
         receiver: ModelId,
         /// When it arrives.
         at: SimTime,
+        /// How many messages the sender had sent before.
+        number: u32,
         /// What.
         message: Message,
     },
@@ -95,8 +101,8 @@ pub enum Effect {
         /// What it is counted in.
         unit: &'static str,
     },
-    /// A message has been read.
-    Read(u32),
+    /// A message has been read: whose, and which.
+    Read(ModelId, u32),
 }
 
 /// Something that happened, for recorders and viewers.
@@ -170,36 +176,10 @@ pub struct Swarm {
     pub(crate) contact_nanos: u64,
 }
 
-/// Messages under way, by number.
+/// Messages under way, by sender and the sender's own count: names that do not depend on what other
+/// models send.
 #[derive(Default)]
-pub(crate) struct MailRoom {
-    slots: Vec<Option<Message>>,
-    free: Vec<u32>,
-}
-
-impl MailRoom {
-    fn put(&mut self, message: Message) -> u32 {
-        match self.free.pop() {
-            Some(slot) => {
-                self.slots[slot as usize] = Some(message);
-                slot
-            }
-            None => {
-                self.slots.push(Some(message));
-                self.slots.len() as u32 - 1
-            }
-        }
-    }
-
-    fn get(&self, slot: u32) -> Option<&Message> {
-        self.slots.get(slot as usize)?.as_ref()
-    }
-
-    fn clear(&mut self, slot: u32) {
-        self.slots[slot as usize] = None;
-        self.free.push(slot);
-    }
-}
+pub(crate) struct MailRoom(BTreeMap<(ModelId, u32), Message>);
 
 impl Swarm {
     /// The model's body, if it has one.
@@ -231,6 +211,24 @@ impl Swarm {
 
     pub(crate) fn gravity(&self) -> Acceleration {
         self.gravity
+    }
+
+    /// What a model has drawn up to `now`, its radios' states settled.
+    pub(crate) fn accounts(&self, core: &Core, now: SimTime) -> Accounts {
+        let mut accounts = core.accounts;
+        let states = [
+            (RadioState::Transmit, Consumer::RadioTx),
+            (RadioState::Receive, Consumer::RadioRx),
+            (RadioState::Idle, Consumer::RadioIdle),
+        ];
+        for radio in &core.radios {
+            let Some(medium) = &self.medium else { break };
+            let usage = medium.usage(*radio, now);
+            for (state, consumer) in states {
+                accounts.draw(consumer, usage.charge(state));
+            }
+        }
+        accounts
     }
 
     /// Models with a body whose centre is within `radius` of `at`, but for `but`, by id.
@@ -320,6 +318,16 @@ fn touch(contact: &Contact, time: SimTime, other: Option<ModelId>, side: f64) ->
         normal: (contact.normal_enu * side).to_array(),
         relative_velocity: Velocity::from_si(contact.relative_velocity_enu * side),
         impulse: simbeeotic_units::ForceVec::from_si(contact.impulse_enu * side),
+    }
+}
+
+/// Bytes into the trace, eight a word, and how many there were.
+fn fold_bytes(bytes: &[u8], cx: &mut Committing<'_>) {
+    cx.fold(bytes.len() as u64);
+    for chunk in bytes.chunks(8) {
+        let mut word = [0; 8];
+        word[..chunk.len()].copy_from_slice(chunk);
+        cx.fold(u64::from_le_bytes(word));
     }
 }
 
@@ -416,7 +424,7 @@ impl Domain for Swarm {
             self.hear(&mut **model, &mut cx);
         }
         for event in visit.events {
-            self.deliver(&mut **model, event.wake, &mut cx);
+            self.deliver(&mut **model, event, &mut cx);
         }
         if let Some(own) = own {
             out.fold(digest(&own.motion, visit.now));
@@ -441,6 +449,7 @@ impl Domain for Swarm {
                 }
             }
             Effect::Transmit(request) => {
+                fold_bytes(&request.payload, cx);
                 if let Some(medium) = &mut self.medium {
                     medium.submit(cx.now(), request);
                 }
@@ -457,12 +466,14 @@ impl Domain for Swarm {
             Effect::Tell {
                 receiver,
                 at,
+                number,
                 message,
             } => {
-                let slot = self.mail.put(message);
-                cx.schedule_for(id, receiver, at, Wake::new(wake::TELL, slot));
+                self.mail.0.insert((id, number), message);
+                cx.schedule_for(id, receiver, at, Wake::new(wake::TELL, number));
             }
             Effect::Log(text) => {
+                fold_bytes(text.as_bytes(), cx);
                 let time = cx.now();
                 self.mark(|| Mark::Log {
                     time,
@@ -471,6 +482,8 @@ impl Domain for Swarm {
                 });
             }
             Effect::Metric { name, value, unit } => {
+                fold_bytes(name.as_bytes(), cx);
+                cx.fold(value.to_bits());
                 let time = cx.now();
                 self.mark(|| Mark::Metric {
                     time,
@@ -480,7 +493,9 @@ impl Domain for Swarm {
                     unit,
                 });
             }
-            Effect::Read(slot) => self.mail.clear(slot),
+            Effect::Read(sender, number) => {
+                self.mail.0.remove(&(sender, number));
+            }
         }
     }
 
@@ -507,10 +522,11 @@ impl Swarm {
         });
     }
 
-    fn deliver(&self, model: &mut dyn Model, wake: Wake, cx: &mut Cx<'_>) {
+    fn deliver(&self, model: &mut dyn Model, event: &Event, cx: &mut Cx<'_>) {
+        let wake = event.wake;
         if wake.tag & Wake::TIMER != 0 {
             let Some(fired) = cx.core.timers.fired(wake) else {
-                return;
+                return cx.out.voided();
             };
             model.wake(ModelWake::Timer(TimerHandle::new(fired.timer)), cx);
             if let Some((at, wake)) = cx.core.timers.rearm(fired) {
@@ -520,9 +536,9 @@ impl Swarm {
             model.start(cx);
         } else if wake.tag == wake::FINISH {
             model.finish(cx);
-        } else if let Some(message) = self.mail.get(wake.arg) {
+        } else if let Some(message) = self.mail.0.get(&(event.sender, wake.arg)) {
             model.wake(ModelWake::Message(message), cx);
-            cx.out.effect(Effect::Read(wake.arg));
+            cx.out.effect(Effect::Read(event.sender, wake.arg));
         }
     }
 }

@@ -145,16 +145,15 @@ fn failed(error: RecordError) -> ComponentError {
 }
 
 fn describe(path: &std::path::Path, stats: &RecordStats) -> String {
-    let megabytes = stats.bytes as f64 * 1e-6;
+    let size = match stats.bytes {
+        bytes if bytes < 1_000_000 => format!("{:.0} kB", bytes as f64 * 1e-3),
+        bytes => format!("{:.1} MB", bytes as f64 * 1e-6),
+    };
     let blocked = match stats.blocked.as_secs_f64() {
         s if s >= 0.01 => format!("; the run waited {s:.2} s for it"),
         _ => String::new(),
     };
-    format!(
-        "{}, {megabytes:.1} MB, {} ticks{blocked}",
-        path.display(),
-        stats.ticks
-    )
+    format!("{}, {size}, {} ticks{blocked}", path.display(), stats.ticks)
 }
 
 fn sample(view: &View<'_>, id: ModelId) -> Sample {

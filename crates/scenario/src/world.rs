@@ -53,7 +53,19 @@ pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
             .into_iter()
             .map(|e| Fault::error(place(node, &e.path), e.message)),
     );
+    faults.extend(not_solid_yet(node));
     sound.then_some(world)
+}
+
+/// Objects are read and checked, and nothing touches them yet: said once, at the first of them.
+fn not_solid_yet(node: &Node) -> Option<Fault> {
+    let table = node.as_table()?;
+    let lists = ["obstacle", "structure", "patch", "person"];
+    let (key, _) = table.entries.iter().find(|(key, list)| {
+        lists.contains(&key.text.as_str()) && list.as_array().is_some_and(|l| !l.is_empty())
+    })?;
+    let message = "the objects of this world are read and not acted on yet: bees fly through them";
+    Some(Fault::warning(key.span, message))
 }
 
 /// Finds the faults of one object.

@@ -79,7 +79,7 @@ pub use simbeeotic_world as world;
 mod library;
 pub mod program;
 
-pub use library::{Error, run_file, run_text};
+pub use library::{Error, Run, run_file, run_text};
 
 /// What a file with a behaviour in it wants to see.
 pub mod prelude {

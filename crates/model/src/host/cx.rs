@@ -114,9 +114,12 @@ impl Cx<'_> {
             sender: self.core.id,
             payload: Box::new(payload),
         };
+        let number = self.core.told;
+        self.core.told = number.wrapping_add(1);
         self.out.effect(Effect::Tell {
             receiver,
             at,
+            number,
             message,
         });
     }

@@ -143,9 +143,11 @@ impl<'a> Platform<'a> {
         self.entity.core.accounts.draw(consumer, charge);
     }
 
-    /// What this platform has drawn so far.
-    pub fn accounts(&self) -> &Accounts {
-        &self.entity.core.accounts
+    /// What this platform has drawn up to now, its radios included.
+    pub fn accounts(&self) -> Accounts {
+        self.entity
+            .swarm
+            .accounts(self.entity.core, self.entity.now())
     }
 }
 

@@ -12,7 +12,7 @@ use simbeeotic_kernel::pace::Control;
 use simbeeotic_kernel::{
     Engine, ModelId, Progress, RunError, Settings, SimTime, Status, TraceLog, Wake,
 };
-use simbeeotic_radio::{Loss, RadioState};
+use simbeeotic_radio::Loss;
 use simbeeotic_units::{Pose, Twist};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -285,21 +285,7 @@ impl Simulation {
 
     fn accounts_of(&self, id: ModelId) -> Accounts {
         let core = &self.engine.agents()[id.index()].core;
-        let mut accounts = core.accounts;
-        if let Some(medium) = &self.engine.domain().medium {
-            for radio in &core.radios {
-                let states = [
-                    (RadioState::Transmit, Consumer::RadioTx),
-                    (RadioState::Receive, Consumer::RadioRx),
-                    (RadioState::Idle, Consumer::RadioIdle),
-                ];
-                let usage = medium.usage(*radio, self.engine.now());
-                for (state, consumer) in states {
-                    accounts.draw(consumer, usage.charge(state));
-                }
-            }
-        }
-        accounts
+        self.engine.domain().accounts(core, self.engine.now())
     }
 
     fn summary(&self, start: Instant, ended: &str) -> Summary {

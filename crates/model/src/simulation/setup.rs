@@ -139,6 +139,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             rng: Stream::new(seed, &plan.path, "behavior"),
             timers: Timers::new(),
             calls: Vec::new(),
+            told: 0,
             accounts: crate::energy::Accounts::default(),
         };
         agents.push(Agent { model, core });

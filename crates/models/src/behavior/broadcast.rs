@@ -57,7 +57,7 @@ impl Behavior for BroadcastBee {
         self.heard += 1;
         if self.heard == 1 {
             let from = bee.path_of(packet.sender()).to_owned();
-            bee.log(format!("first heard {from} at {}", packet.rssi()));
+            bee.log(format!("first heard {from} at {:.1}", packet.rssi()));
         }
     }
 

@@ -56,6 +56,12 @@ pub(super) fn read_run(node: &Node, faults: &mut Vec<Fault>) -> Option<Run> {
         Some(factor)
     });
     let epoch: Option<Time> = section.read("epoch", faults);
+    if let (Some(_), Some(node)) = (epoch, section.get("epoch")) {
+        faults.push(Fault::warning(
+            node.span,
+            "`epoch` is read and not acted on yet",
+        ));
+    }
     let mut limits = Limits {
         end: end.unwrap_or(SimTime::MAX),
         ..Limits::default()

@@ -76,12 +76,12 @@ Examples:
   simbeeotic run scenarios/figure12.toml
   simbeeotic run scenarios/figure12.xml --end-time \"10 s\"
   simbeeotic run scenarios/figure12.toml --seed 7 --threads 2 --json > summary.json
-  simbeeotic run scenarios/figure12.toml --set model.bee.count=100
-  simbeeotic run scenarios/figure12.toml --set model.bee.params.max_speed=\"3 m/s\"
+  simbeeotic run scenarios/first-swarm.toml --set model.bee.count=1000
+  simbeeotic run scenarios/first-swarm.toml --set model.bee.params.max_speed=\"3 m/s\"
   simbeeotic run scenarios/figure12.toml --record run.mcap";
 
 const EXPORT_COLUMNS: &str = "\
-Columns: time_ns, time_s, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
+Columns: time_s, time_ns, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
 (velocity, ENU), qw, qx, qy, qz (attitude, world_from_body), wx_rad_s, wy_rad_s, wz_rad_s (body
 rates, FLU). One row for each model and tick.";
 

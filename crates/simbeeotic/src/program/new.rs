@@ -44,7 +44,7 @@ pub(super) fn new(name: &str, path: Option<&Path>, library: Option<&Path>) -> Re
         written.map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
     }
     say(format!(
-        "made {0}: a behaviour, a scenario, a test\n\n  cd {0}\n  cargo test\n  cargo run --release -- run scenarios/orbit.toml\n",
+        "made {0}: a behaviour, a scenario, a test\n\n  cd {0}\n  cargo test\n  cargo run -- run scenarios/orbit.toml\n",
         folder.display()
     ));
     Ok(())
