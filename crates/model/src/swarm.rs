@@ -331,6 +331,23 @@ fn fold_bytes(bytes: &[u8], cx: &mut Committing<'_>) {
     }
 }
 
+/// A radio command as one word.
+fn command_word(command: &Command) -> u64 {
+    match command {
+        Command::Sleep => 1,
+        Command::Wake => 2,
+        Command::Tune(channel) => bits(glam::DVec3::new(
+            channel.centre.get(),
+            channel.width.get(),
+            3.0,
+        )),
+        Command::Power { level, current } => {
+            bits(glam::DVec3::new(level.get(), current.get(), 4.0))
+        }
+        _ => 5,
+    }
+}
+
 /// A motion as one word: where it is, how it moves, how it points.
 fn digest(motion: &Motion, now: SimTime) -> u64 {
     let mut trace = Trace::START;
@@ -450,11 +467,14 @@ impl Domain for Swarm {
             }
             Effect::Transmit(request) => {
                 fold_bytes(&request.payload, cx);
+                let key = request.destination.and_then(|to| self.keys.get(to.index()));
+                cx.fold(key.copied().unwrap_or(0));
                 if let Some(medium) = &mut self.medium {
                     medium.submit(cx.now(), request);
                 }
             }
             Effect::Command(radio, command) => {
+                cx.fold(command_word(&command));
                 let result = self
                     .medium
                     .as_mut()

@@ -12,8 +12,9 @@ use std::fmt::Display;
 
 /// What a model may see and do during one call.
 ///
-/// It sees the world as it was when the instant began, plus its own effects at once. What it does
-/// to others (messages, packets, forces that lead to touches) takes effect when the instant ends.
+/// It sees the world as it was when this round of the instant began (contacts and frames that are due
+/// are done by then), plus its own effects at once. What it does to others (messages, packets, forces
+/// that lead to touches) takes effect when the round ends.
 pub struct Cx<'a> {
     pub(crate) now: SimTime,
     pub(crate) swarm: &'a Swarm,
@@ -87,7 +88,7 @@ impl Cx<'_> {
         self.swarm.population.path(id)
     }
 
-    /// The true pose of a model's body, as it was when this instant began. `None` if it has none.
+    /// The true pose of a model's body, as it was when this round began. `None` if it has none.
     pub fn pose_of(&self, id: ModelId) -> Option<Pose> {
         self.swarm.pose_of(id, self.now)
     }

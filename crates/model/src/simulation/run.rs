@@ -58,7 +58,7 @@ pub enum SimulationError {
 }
 
 impl Simulation {
-    /// Puts a run together; `started` is when the program began to, for the summary.
+    /// Puts a run together.
     ///
     /// # Errors
     /// A model cannot be built, or there are no threads to be had.

@@ -1,11 +1,11 @@
-//! A bee that drifts and tells its number.
+//! A bee that drifts and tells its name.
 
 use simbeeotic_model::check::{at_least_zero, positive};
 use simbeeotic_model::radio::Packet;
 use simbeeotic_model::units::{Flu, Speed, Time, Velocity};
 use simbeeotic_model::{Bee, Behavior, BuildError, Kit, RadioHandle, behavior, params};
 
-/// A bee that drifts slowly and broadcasts its number once a second: the smallest example of
+/// A bee that drifts slowly and broadcasts its name once a second: the smallest example of
 /// talking and listening.
 #[behavior(
     "broadcast-bee",
@@ -72,7 +72,7 @@ impl BroadcastBee {
     }
 
     fn talk(&mut self, bee: &mut Bee<'_>) {
-        let number = bee.id().0;
-        bee.send(self.radio, &number.to_be_bytes());
+        let name = bee.path().to_owned();
+        bee.send(self.radio, name.as_bytes());
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::program::{Program, shipped};
 use simbeeotic::Error;
+use simbeeotic::prelude::*;
 use simbeeotic::scenario::{Request, load_text};
 use simbeeotic_model::Simulation;
-use simbeeotic_model::kernel::SimTime;
 
 const INSTRUMENT: &str = "scenarios/instrument.toml";
 
@@ -116,6 +116,92 @@ fn a_bee_ten_kilometres_away_changes_no_other_bee() {
         traces(bees("", &near).expect("a good scenario")),
         "one in their midst does"
     );
+}
+
+/// Says one word by radio, and another to its neighbour, once a second.
+#[behavior("test-speaker")]
+struct Speaker {
+    params: SpeakerParams,
+    radio: Option<RadioHandle>,
+}
+
+/// What it says.
+#[params]
+#[derive(Default)]
+struct SpeakerParams {
+    word: String,
+    to: String,
+}
+
+impl Behavior for Speaker {
+    type Params = SpeakerParams;
+
+    fn build(params: SpeakerParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        kit.every(Time::from_secs(1.0), Self::speak);
+        Ok(Self {
+            params,
+            radio: kit.optional_radio(),
+        })
+    }
+}
+
+impl Speaker {
+    fn speak(&mut self, bee: &mut Bee<'_>) {
+        if let Some(radio) = self.radio {
+            bee.send(radio, self.params.word.as_bytes());
+        }
+        if let Some(to) = bee.find(&self.params.to) {
+            bee.tell_after(Time::from_millis(1500.0), to, self.params.word.clone());
+        }
+    }
+}
+
+#[test]
+fn one_byte_of_a_payload_shows_in_the_trace() {
+    let run = |word: &str| {
+        let speaker = format!(
+            r#"
+            [[model]]
+            use = "test-speaker"
+            start = ["1 m", "1 m", "9 m"]
+            params = {{ word = "{word}" }}
+            radio = {{ use = "cc2420" }}
+            "#
+        );
+        let mut run = bees("", &speaker).expect("a good scenario");
+        run.run_until(SimTime::from_secs(5)).expect("it runs");
+        run.trace().total()
+    };
+    assert_eq!(run("hum"), run("hum"));
+    assert_ne!(run("hum"), run("hun"));
+}
+
+#[test]
+fn the_mail_of_others_does_not_show_in_a_model_s_trace() {
+    let pair = |a: &str, b: &str, at: &str| {
+        format!(
+            r#"
+            [[model]]
+            use = "test-speaker"
+            name = "{a}"
+            start = ["{at}", "0 m", "3 m"]
+            params = {{ word = "hum", to = "{b}" }}
+            [[model]]
+            use = "test-speaker"
+            name = "{b}"
+            start = ["{at}", "5 m", "3 m"]
+            params = {{ word = "hum", to = "{a}" }}
+            "#
+        )
+    };
+    let here = pair("ann", "bob", "50 m");
+    let there = pair("far-ann", "far-bob", "10 km");
+    let traces = |mut run: Simulation| {
+        run.run_until(SimTime::from_secs(5)).expect("it runs");
+        ["ann", "bob"].map(|path| run.model_trace(path).expect("it is there"))
+    };
+    let alone = traces(bees("", &here).expect("a good scenario"));
+    assert_eq!(alone, traces(bees(&there, &here).expect("a good scenario")));
 }
 
 #[test]
