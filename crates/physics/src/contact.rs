@@ -6,6 +6,12 @@ use simbeeotic_kernel::SimTime;
 
 /// Two bodies, or a body and the ground, touch.
 ///
+/// What is pressed together meets many times a second in small bounces. Those are one lasting contact,
+/// which is reported when it begins: a later impact of the same two is reported if they had been apart
+/// for [`LASTING_S`](crate::limits::LASTING_S), or if they meet faster than
+/// [`NEWS_SPEED_M_S`](crate::limits::NEWS_SPEED_M_S). Impulses act in any case. (What only detects is
+/// reported each time it meets.)
+///
 /// Contacts of one report are ordered by `(time, a, b)`, the ground after all bodies; of two equal
 /// keys (a pair that meets twice within a nanosecond) the earlier impact comes first.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,13 +5,19 @@
 //! - A pair that only *detects* passes through itself on unchanged segments. From its meeting on it is
 //!   *inside*, until it has parted.
 //! - A body squeezed between two others that nothing can push away (a ghost pressing it to the ground)
-//!   would bounce infinitely often within a nanosecond. A pair that has met [`BURST_MAX`] times, each
-//!   within [`BURST_NS`] of the last, is *held*: it does not meet again for [`HOLD_NS`], and overlaps
-//!   meanwhile.
+//!   would bounce infinitely often within a nanosecond. A pair of bodies that has met [`BURST_MAX`]
+//!   times, each within [`BURST_NS`] of the last, is *held*: it does not meet again for [`HOLD_NS`], and
+//!   overlaps meanwhile. The ground holds nobody: whoever is pressed into it is pressed by another body,
+//!   and it is enough to hold that pair.
+//!
+//! Memory of the last impact serves once more: a pair that has met within [`LASTING_S`] has not been
+//! apart, and meeting anew is no news (see [`Contact`](crate::Contact)).
 //!
 //! The ground is [`GROUND`](crate::queue::GROUND), always as the second of a pair.
 
+use crate::limits::LASTING_S;
 use crate::predict::Passage;
+use crate::queue::GROUND;
 use simbeeotic_kernel::SimTime;
 use std::collections::BTreeMap;
 
@@ -21,6 +27,8 @@ const BURST_MAX: u32 = 16;
 const BURST_NS: u64 = 5_000_000;
 /// For how long a pair is held.
 const HOLD_NS: u64 = 1_000_000;
+/// [`LASTING_S`] in nanoseconds.
+const LASTING_NS: u64 = (LASTING_S * 1e9) as u64;
 
 type Pair = (u32, u32);
 
@@ -81,8 +89,12 @@ impl Encounters {
         );
     }
 
-    /// A pair has bounced; holds it if it does so all the time.
-    pub(crate) fn bounced(&mut self, pair: Pair, t: SimTime) {
+    /// A pair has bounced; holds it if it does so all the time. Tells whether it had been apart.
+    pub(crate) fn bounced(&mut self, pair: Pair, t: SimTime) -> bool {
+        let apart = self
+            .bursts
+            .get(&pair)
+            .is_none_or(|burst| t.nanos() - burst.last.nanos() >= LASTING_NS);
         let burst = self
             .bursts
             .entry(pair)
@@ -96,15 +108,25 @@ impl Encounters {
                 1
             },
         };
-        if burst.count > BURST_MAX {
+        if burst.count > BURST_MAX && pair.1 != GROUND {
             self.holds.insert(pair, t.saturating_add_nanos(HOLD_NS));
         }
+        apart
+    }
+
+    /// The ground has carried a body until now.
+    pub(crate) fn carried(&mut self, id: u32, t: SimTime) {
+        let burst = self
+            .bursts
+            .entry((id, GROUND))
+            .or_insert(Burst { last: t, count: 0 });
+        burst.last = t;
     }
 
     /// Forgets what can have no effect any more at `t`; `origin` tells since when a pair's segments hold.
     pub(crate) fn prune(&mut self, t: SimTime, origin: impl Fn(Pair) -> SimTime) {
         self.bursts
-            .retain(|_, burst| t.nanos() - burst.last.nanos() <= BURST_NS);
+            .retain(|_, burst| t.nanos() - burst.last.nanos() < LASTING_NS);
         self.holds.retain(|pair, until| origin(*pair) < *until);
         self.touches
             .retain(|pair, touch| touch.inside || origin(*pair) <= touch.since);

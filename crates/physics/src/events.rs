@@ -7,6 +7,7 @@
 
 use crate::body::{BodyId, Contacts};
 use crate::contact::Contact;
+use crate::limits;
 use crate::motion::Motion;
 use crate::physics::{Physics, duty};
 use crate::predict::{self, Passage};
@@ -294,13 +295,17 @@ impl Physics {
             self.contact_of(a, b) == Contacts::Respond
         };
         let impact = if respond {
-            self.encounters.bounced(pair, time);
+            let apart = self.encounters.bounced(pair, time);
             let impact = if b == GROUND {
                 self.bounce_off_ground(a, time)
             } else {
                 self.bounce(a, b, time)
             };
             self.predict_again(&[a, b], time);
+            if !apart && impact.closing_speed() <= limits::NEWS_SPEED_M_S {
+                self.tally.contacts += 1;
+                return;
+            }
             impact
         } else {
             // What only detects keeps its stamp, so the same meeting may have been predicted twice.
@@ -338,6 +343,11 @@ impl Physics {
 
     fn bounce(&mut self, a: u32, b: u32, t: SimTime) -> Impact {
         let material = self.materials[a as usize].against(&self.materials[b as usize]);
+        for id in [a, b] {
+            if self.motions[id as usize].support != Support::None {
+                self.encounters.carried(id, t);
+            }
+        }
         // The first of a pair has the lower index.
         let (before, from_b) = self.motions.split_at_mut(b as usize);
         let (motion_a, motion_b) = (&mut before[a as usize], &mut from_b[0]);

@@ -50,7 +50,7 @@
 //!
 //! Only balls collide, with one another and with a level ground at up = 0: a box may stand in the world
 //! but is passed through. A lasting contact between two bodies is a row of small bounces (see
-//! [`limits::PARTING_SPEED_M_S`]); a body on the ground slides but does not roll.
+//! [`limits::PARTING_SPEED_M_S`]), of which the first is reported; a body on the ground slides but does not roll.
 //!
 //! # Reading order
 //!

@@ -32,11 +32,18 @@ pub const PARTING_SPEED_M_S: f64 = 0.05;
 /// of velocities, below anything that shows.
 pub const PARTING_SPEED_M_S_MIN: f64 = 1e-6;
 
+/// Two that met less than this ago have not been apart: unless they meet faster than
+/// [`NEWS_SPEED_M_S`], their meeting is part of a lasting contact, and not reported again, s.
+pub const LASTING_S: f64 = 0.05;
+/// Two that meet faster than this are reported, however short the time they were apart, m/s. Twice the
+/// speed at which a pressed pair parts.
+pub const NEWS_SPEED_M_S: f64 = 0.1;
+
 /// Upward acceleration that lifts a body off the ground, m/s^2. Less is rounding of a hovering
 /// body's balance of forces.
 pub(crate) const LIFT_M_S2: f64 = 1e-6;
 /// A body that slides slower than this, and whose tangential force friction can hold, stands, m/s.
 pub(crate) const STANDING_SPEED_M_S: f64 = 1e-6;
-/// A body within this distance of the ground is set exactly upon it when it comes to rest or
-/// bounces, m. More than the 0.15 um that rounding a time of impact to 1 ns costs at 300 m/s.
+/// A body that is no higher than this above the ground is set exactly upon it when it comes to rest
+/// or bounces, m; so is one that is below. More than the 0.15 um that rounding a time of impact to 1 ns costs at 300 m/s.
 pub(crate) const GROUND_SNAP_M: f64 = 1e-6;

@@ -28,8 +28,8 @@ fn each_bounce_rises_to_the_square_of_the_restitution_until_it_rests() {
         speed *= e;
         time += 2.0 * speed / G;
     }
-    // One bounce more would be too slow.
-    assert!(speed < limits::REST_SPEED_M_S && speed / e >= limits::REST_SPEED_M_S);
+    // The next is too slow, and too soon, to be news.
+    assert!(speed <= limits::NEWS_SPEED_M_S && speed / e > limits::NEWS_SPEED_M_S);
     let motion = physics.motion(id);
     assert_eq!(motion.support(), Support::Resting);
     assert_eq!(motion.position(seconds(20.0)).z, radius);

@@ -6,6 +6,7 @@ mod impact;
 mod invariance;
 mod original;
 mod pairs;
+mod piles;
 mod refusal;
 mod rotation;
 mod slide;

@@ -82,7 +82,7 @@ fn a_crowd_under_random_commands_never_overlaps() {
     let mut physics = on_ground(surface(0.3, 0.6));
     swarm(&mut physics, 150, 2.5, 1.0, "crowd");
     let contacts = fly(&mut physics, true, seconds(5.0), "crowd commands");
-    assert!(contacts > 1000, "{contacts}");
+    assert!(contacts > 900, "{contacts}");
 }
 
 #[test]

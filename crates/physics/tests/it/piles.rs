@@ -1,0 +1,105 @@
+//! Piles: nobody sinks into the ground, and what is pressed together is no news.
+
+use crate::worlds::{G, ball, on_ground, run, seconds, stream, surface};
+use proptest::prelude::*;
+use simbeeotic_kernel::SimTime;
+use simbeeotic_physics::{BodyId, BodySpec, Contact, Physics, Shape, limits};
+use simbeeotic_units::glam::DVec3;
+
+/// `count` bees of 0.1 m that fall within a column half a metre wide.
+fn pile(count: usize, purpose: &str, restitution: f64) -> Physics {
+    let mut physics = on_ground(surface(0.5, restitution));
+    let mut stream = stream(purpose);
+    let mut places: Vec<DVec3> = Vec::new();
+    while places.len() < count {
+        let top = 0.3 + 0.02 * count as f64;
+        let [x, y] = [(); 2].map(|()| stream.uniform_in(0.0..0.3));
+        let p = DVec3::new(x, y, stream.uniform_in(0.06..top));
+        if places.iter().all(|q| q.distance(p) > 0.101) {
+            places.push(p);
+            let spec = BodySpec {
+                p_enu: p,
+                material: surface(0.5, restitution),
+                ..BodySpec::new(Shape::Sphere { radius_m: 0.05 }, 0.128)
+            };
+            physics.add(spec).unwrap();
+        }
+    }
+    physics
+}
+
+/// How far the lowest body is below its place on the ground, m.
+fn sunk(physics: &Physics, t: SimTime) -> f64 {
+    (0..physics.len() as u32)
+        .map(|id| physics.motion(BodyId(id)))
+        .map(|motion| motion.radius_m() - motion.position(t).z)
+        .fold(0.0, f64::max)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_body_of_a_pile_sinks_into_the_ground(seed in 0_u32..1000, count in 5_usize..30, bouncy in any::<bool>()) {
+        let mut physics = pile(count, &format!("pile {seed}"), if bouncy { 0.6 } else { 0.0 });
+        for step in 1..=20 {
+            let t = seconds(0.1 * f64::from(step));
+            run(&mut physics, t);
+            prop_assert!(sunk(&physics, t) < 1e-6, "{} m at {t}", sunk(&physics, t));
+        }
+    }
+}
+
+#[test]
+fn a_stack_that_rests_is_reported_when_it_comes_to_rest_and_no_more() {
+    let mut physics = on_ground(surface(0.5, 0.0));
+    for z in [0.1, 0.301, 0.502] {
+        let spec = BodySpec {
+            material: surface(0.5, 0.0),
+            ..ball(DVec3::new(0.0, 0.0, z))
+        };
+        physics.add(spec).unwrap();
+    }
+    run(&mut physics, seconds(1.0));
+    let before = physics.tally().contacts;
+    let reported = run(&mut physics, seconds(3.0));
+    let impacts = physics.tally().contacts - before;
+    assert!(impacts > 100, "{impacts} impacts carry the stack");
+    assert!(reported.is_empty(), "{} reported", reported.len());
+    assert!(sunk(&physics, seconds(3.0)) < 1e-6);
+}
+
+#[test]
+fn whoever_has_been_apart_or_comes_fast_is_reported() {
+    let mut physics = on_ground(surface(0.0, 1.0));
+    let spec = BodySpec {
+        material: surface(0.0, 0.64),
+        ..ball(DVec3::new(0.0, 0.0, 1.1))
+    };
+    let body = physics.add(spec).unwrap();
+    let contacts = run(&mut physics, seconds(10.0));
+    let fast = |c: &&Contact| c.closing_speed_m_s() > limits::NEWS_SPEED_M_S;
+    assert_eq!(contacts.iter().filter(fast).count(), contacts.len());
+    assert!(contacts.len() > 10 && physics.tally().contacts > contacts.len() as u64);
+    // A jump of 0.2 s that ends slowly is one, too: it has been apart.
+    let mut motion = *physics.motion(body);
+    motion.set_velocity(seconds(10.0), DVec3::Z * 0.05).unwrap();
+    let weightless = DVec3::Z * (0.1 * G - 0.1 * 0.5);
+    motion.set_force(seconds(10.0), weightless).unwrap();
+    physics.commit(body, seconds(10.0), motion);
+    assert_eq!(run(&mut physics, seconds(11.0)).len(), 1);
+}
+
+/// 500 bees; takes a minute in a debug build.
+#[test]
+#[ignore = "slow"]
+fn no_body_of_a_great_pile_sinks() {
+    let mut physics = pile(500, "great pile", 0.0);
+    let mut reported = 0;
+    for step in 1..=20 {
+        let t = seconds(0.5 * f64::from(step));
+        reported += run(&mut physics, t).len();
+        assert!(sunk(&physics, t) < 1e-6, "{} m at {t}", sunk(&physics, t));
+    }
+    println!("{} impacts, {reported} reported", physics.tally().contacts);
+}
