@@ -52,7 +52,7 @@
 //!
 //! # Where to read on
 //!
-//! [`Recorder`] and [`Header`] to write; [`Recording`] and [`Tick`] to read; [`export_csv`],
+//! [`Recorder`] and [`Header`] to write; [`Recording`] and [`Tick`] to read; [`export_csv_file`],
 //! [`export_parquet`] and [`Selection`] for tables of a recording; [`write_table`] for any other
 //! table; [`publish`] for files that appear whole or not at all. Inside: `recorder` (the run's
 //! side), `writer` (the thread, and when a chunk is closed), `encoder` (samples to messages),
@@ -82,7 +82,7 @@ mod topic;
 mod writer;
 
 pub use data::{Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Sample, Tick, Vehicle};
-pub use export::{ExportError, Exported, export_csv, export_parquet};
+pub use export::{ExportError, Exported, export_csv, export_csv_file, export_parquet};
 pub use publish::publish;
 pub use recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 pub use recording::{ReadError, Recording};

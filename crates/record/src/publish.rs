@@ -9,7 +9,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 /// Writes a file beside `path` and gives it that name when it is complete and on the disk.
 ///
 /// Whoever opens `path` sees the old file or the new one, never a part. After an error the new
-/// one is removed; after a `kill -9` it may stay, as `.NAME.PID-N.part`.
+/// one is removed; after a `kill -9` it may stay, as `.NAME.PID-N.part`. A link is followed. What is
+/// there and is no file (`/dev/null`, a pipe) is written to as it is, and not replaced.
 ///
 /// # Errors
 /// Whatever `write` returns, and the errors of the file system.
@@ -17,6 +18,10 @@ pub fn publish<T, E: From<io::Error>>(
     path: &Path,
     write: impl FnOnce(&File) -> Result<T, E>,
 ) -> Result<T, E> {
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        return write(&File::options().write(true).open(path)?);
+    }
     let part = part_of(path)?;
     let written = File::create_new(&part)
         .map_err(E::from)
@@ -75,5 +80,22 @@ mod tests {
     #[test]
     fn a_folder_is_no_file_name() {
         assert!(publish(Path::new("/"), |_| io::Result::Ok(())).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_devices_stay_devices() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (path, link) = (folder.path().join("table"), folder.path().join("link"));
+        fs::write(&path, "old").expect("written");
+        std::os::unix::fs::symlink(&path, &link).expect("linked");
+        publish(&link, |mut file| file.write_all(b"new")).expect("written");
+        assert!(link.is_symlink());
+        assert_eq!(fs::read(&path).expect("still there"), b"new");
+
+        let device = folder.path().join("device");
+        std::os::unix::fs::symlink("/dev/null", &device).expect("linked");
+        publish(&device, |mut file| file.write_all(b"gone")).expect("written");
+        assert_eq!(fs::read(&device).expect("still there"), b"");
     }
 }

@@ -76,7 +76,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Precision::Fine => "fine",
             Precision::Full => "full",
@@ -132,7 +132,7 @@ pub struct RecordStats {
 #[non_exhaustive]
 pub enum RecordError {
     /// The file could not be made, or the thread that writes it.
-    #[error("recording {path}: cannot start: {source}", path = .path.display())]
+    #[error("{path} cannot be recorded to: {source}", path = .path.display())]
     Create {
         /// The file.
         path: PathBuf,

@@ -6,6 +6,7 @@ use crate::frame::{Fields, op};
 use crate::index::{self, Extent, Index};
 use crate::message;
 use crate::messages::Messages;
+use crate::recorder::Precision;
 use crate::source::Source;
 use crate::ticks::Ticks;
 use crate::topic::Topic;
@@ -155,6 +156,11 @@ impl Recording {
     /// The scenario that ran, as text.
     pub fn scenario(&self) -> Option<&str> {
         self.run("scenario")
+    }
+
+    /// Whether its numbers lie on the grid of [`Precision::Fine`].
+    pub(crate) fn is_fine(&self) -> bool {
+        self.run("precision") == Some(Precision::Fine.name())
     }
 
     fn run(&self, key: &str) -> Option<&str> {

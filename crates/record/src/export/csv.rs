@@ -2,10 +2,12 @@
 
 use super::{ExportError, Exported, Rows, seconds};
 use crate::data::Sample;
+use crate::publish::publish;
 use crate::recording::Recording;
 use crate::selection::Selection;
 use std::fmt::Write as _;
-use std::io::Write;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
 
 /// Writes the selected part of a recording as CSV (comma, header line, `\n`). The columns are
 /// those of the [module](crate::export).
@@ -48,6 +50,39 @@ pub fn export_csv(
     out.write_all(text.as_bytes()).map_err(ExportError::Csv)?;
     out.flush().map_err(ExportError::Csv)?;
     Ok(rows.exported)
+}
+
+/// Writes the selected part of a recording as a CSV file, published by [`crate::publish`]: never
+/// torn. See [`export_csv`].
+///
+/// # Errors
+/// When a pattern matches no model, when the recording is damaged, or when the file cannot be
+/// written. Nothing is published then.
+pub fn export_csv_file(
+    recording: &Recording,
+    selection: &Selection,
+    path: impl AsRef<Path>,
+) -> Result<Exported, ExportError> {
+    let path = path.as_ref();
+    let written = publish(path, |file| {
+        export_csv(recording, selection, &mut BufWriter::new(file)).map_err(Error)
+    });
+    written.map_err(|Error(error)| match error {
+        ExportError::Csv(source) => ExportError::Write {
+            path: path.to_path_buf(),
+            source,
+        },
+        error => error,
+    })
+}
+
+/// An error of the export, or of the file around it.
+struct Error(ExportError);
+
+impl From<io::Error> for Error {
+    fn from(error: io::Error) -> Self {
+        Self(ExportError::Csv(error))
+    }
 }
 
 /// Appends the numbers of one row. Writing to a text cannot fail.

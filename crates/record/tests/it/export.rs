@@ -4,8 +4,8 @@ use crate::swarm::{self, TICK_NS};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Row, RowAccessor};
 use simbeeotic_record::{
-    Column, ExportError, Exported, Header, Recording, Selection, Values, export_csv,
-    export_parquet, write_table,
+    Column, ExportError, Exported, Header, Precision, Recording, Selection, Values, export_csv,
+    export_csv_file, export_parquet, write_table,
 };
 use std::fs::File;
 use std::num::NonZeroU64;
@@ -67,6 +67,28 @@ fn csv_holds_what_was_recorded() {
         }
     }
     assert_eq!(lines.next(), None);
+}
+
+#[test]
+fn fine_recordings_have_no_false_digits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let header = Header {
+        precision: Precision::Fine,
+        ..swarm::header(5)
+    };
+    let recording = recording(folder.path(), header, 12);
+    let path = folder.path().join("run.csv");
+    std::fs::write(&path, "old").expect("written");
+    export_csv_file(&recording, &Selection::default(), &path).expect("exported");
+    let text = std::fs::read_to_string(&path).expect("there");
+    assert_eq!(text.lines().count(), 61);
+    for line in text.lines().skip(1) {
+        for (place, field) in line.split(',').enumerate().skip(3) {
+            let decimals = field.split_once('.').map_or(0, |(_, digits)| digits.len());
+            let most = if (9..13).contains(&place) { 7 } else { 6 };
+            assert!(decimals <= most, "{field} in {line}");
+        }
+    }
 }
 
 #[test]
