@@ -20,7 +20,7 @@ pub struct ReadError {
 }
 
 impl ReadError {
-    fn or_at(mut self, span: Span) -> Self {
+    pub(super) fn or_at(mut self, span: Span) -> Self {
         self.span.get_or_insert(span);
         self
     }
@@ -95,10 +95,12 @@ impl de::Error for ReadError {
     }
 
     fn invalid_length(length: usize, expected: &dyn de::Expected) -> Self {
-        de::Error::custom(format!(
-            "{length} entries where {} is wanted",
-            wanted(expected)
-        ))
+        let has = match length {
+            0 => "is empty".to_owned(),
+            1 => "has 1 entry".to_owned(),
+            n => format!("has {n} entries"),
+        };
+        de::Error::custom(format!("this list {has}; wanted: {}", wanted(expected)))
     }
 
     fn missing_field(field: &'static str) -> Self {
@@ -156,11 +158,14 @@ impl<'de> Deserializer<'de> for &'de Node {
             Value::Table(table) => visitor.visit_map(Entries::new(table)),
             Value::Array(items) => {
                 let mut elements = Elements(items.iter());
-                let value = visitor.visit_seq(&mut elements)?;
-                match elements.0.len() {
+                let value = visitor.visit_seq(&mut elements);
+                value.and_then(|value| match elements.0.len() {
                     0 => Ok(value),
-                    n => Err(de::Error::custom(format!("the list is {n} too long"))),
-                }
+                    1 => Err(de::Error::custom("this list has 1 entry too many")),
+                    n => Err(de::Error::custom(format!(
+                        "this list has {n} entries too many"
+                    ))),
+                })
             }
             Value::String(text) => visitor.visit_borrowed_str(text),
             Value::Integer(number) => visitor.visit_i64(*number),
@@ -201,9 +206,23 @@ impl<'de> Deserializer<'de> for &'de Node {
         .map_err(|e: ReadError| e.or_at(self.span))
     }
 
+    /// A table. Serde's own structures would take a list too, field by field.
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
+        if self.as_array().is_some() {
+            let error: ReadError = de::Error::custom("a list where a table is wanted");
+            return Err(error.or_at(self.span));
+        }
+        self.deserialize_any(visitor)
+    }
+
     serde::forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
-        unit unit_struct seq tuple tuple_struct map struct identifier ignored_any
+        unit unit_struct seq tuple tuple_struct map identifier ignored_any
     }
 }
 
@@ -312,9 +331,9 @@ impl<'de> VariantAccess<'de> for &'de Node {
 
     fn struct_variant<V: Visitor<'de>>(
         self,
-        _fields: &'static [&'static str],
+        fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, ReadError> {
-        self.deserialize_any(visitor)
+        self.deserialize_struct("", fields, visitor)
     }
 }

@@ -25,7 +25,7 @@ impl<T> Params for T where
 /// # Errors
 /// A fault at the value (or key) that does not fit `T`.
 pub fn read<T: DeserializeOwned>(node: &Node) -> Result<T, Fault> {
-    T::deserialize(node).map_err(Fault::from)
+    T::deserialize(node).map_err(|error| Fault::from(error.or_at(node.span)))
 }
 
 /// Reads a whole section and reports every fault in it.
@@ -48,7 +48,7 @@ fn all_faults<T: DeserializeOwned>(node: &Node, first: ReadError) -> Vec<Fault> 
     let mut error = first;
     loop {
         let span = error.span;
-        faults.push(Fault::from(error));
+        faults.push(Fault::from(error.or_at(node.span)));
         let set_aside = match (span, rest.as_table_mut()) {
             (Some(span), Some(table)) => set_aside(table, span),
             _ => false,
@@ -167,6 +167,39 @@ mod tests {
         let faults = read_params::<List>(&node).expect_err("two faults");
         assert_eq!(faults.len(), 2, "{faults:?}");
         assert_eq!(faults[0].message, "text where a number is wanted");
+    }
+
+    #[test]
+    fn a_list_of_the_wrong_length_has_its_place() {
+        let list = |n| {
+            Node::new(
+                at(7, 9),
+                Value::Array(vec![Node::new(at(8, 8), Value::Integer(1)); n]),
+            )
+        };
+        for (n, said) in [
+            (0, "this list is empty; wanted: a list of length 2"),
+            (1, "this list has 1 entry; wanted: a list of length 2"),
+            (3, "this list has 1 entry too many"),
+        ] {
+            let faults = read_params::<[u64; 2]>(&list(n)).expect_err("wrong length");
+            assert_eq!(
+                (faults[0].span, faults[0].message.as_str()),
+                (Some(at(7, 9)), said)
+            );
+        }
+    }
+
+    #[test]
+    fn a_list_is_no_table() {
+        let mut table = Table::default();
+        entry(&mut table, "noise", 10, Value::Array(Vec::new()));
+        let node = Node::new(at(0, 100), Value::Table(table));
+        let faults = read_params::<Outer>(&node).expect_err("a list");
+        assert_eq!(
+            (faults[0].span, faults[0].message.as_str()),
+            (Some(at(13, 19)), "a list where a table is wanted")
+        );
     }
 
     #[test]
