@@ -13,5 +13,14 @@ pub const KEY_DOTS_MAX: usize = 24;
 /// Most instances of models in one scenario, nested ones included.
 pub const MODELS_MAX: u64 = 4_000_000;
 
+/// From so many models on, a scenario says how much memory it takes.
+pub const MODELS_MANY: u64 = 1_000_000;
+
+/// What a model takes of memory, about, in bytes.
+pub const MODEL_BYTES: u64 = 1_200;
+
+/// Where a model may start: so far from the origin along each axis, at most, in metres.
+pub const START_M_MAX: f64 = 1e7;
+
 /// Most faults that are shown; the rest is counted.
 pub const FAULTS_SHOWN: usize = 60;

@@ -76,8 +76,8 @@ pub fn load_text(name: &str, text: &str, request: &Request) -> Result<Loaded, Re
     reading.load(text, source, PathBuf::new(), request)
 }
 
-/// Reads and checks a scenario file and gives it as TOML. `world` is the world file that it shall
-/// name, beside it.
+/// Reads and checks a scenario file and gives it as TOML. `world` is its world file, TOML or XML;
+/// the scenario shall name it as TOML, beside it.
 ///
 /// # Errors
 /// Everything that is wrong with it.
@@ -87,7 +87,8 @@ pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Reje
         sets: Vec::new(),
     };
     let mut loaded = load_file(path, &request)?;
-    if let Some(name) = world.and_then(Path::file_name)
+    let world = world.map(|path| path.with_extension("toml"));
+    if let Some(name) = world.as_deref().and_then(Path::file_name)
         && let Some(table) = loaded.tree.as_table_mut()
     {
         table.set(
@@ -144,6 +145,10 @@ impl Reading {
         folder: PathBuf,
         request: &Request,
     ) -> Result<Loaded, Rejected> {
+        if let Some(fault) = empty(text, source) {
+            self.faults.push(fault);
+            return Err(self.reject());
+        }
         let read = if xml::looks_like_xml(text) {
             xml::parse(text, source, Document::Scenario)
         } else {
@@ -298,6 +303,13 @@ impl Loaded {
             components,
         })
     }
+}
+
+/// An error if nothing stands in a text.
+pub(crate) fn empty(text: &str, source: SourceId) -> Option<Fault> {
+    let bare = text.trim_start_matches('\u{feff}').trim();
+    bare.is_empty()
+        .then(|| Fault::error(Span::new(source, 0, 0), "this file is empty"))
 }
 
 /// The text of a file, and the id that its spans carry. `asked` is where another file names it.

@@ -20,6 +20,10 @@ pub(crate) fn load(
 
 /// The tree of a world file, in the shape of its TOML.
 pub(crate) fn tree(text: &str, source: SourceId, faults: &mut Vec<Fault>) -> Option<Node> {
+    if let Some(fault) = crate::load::empty(text, source) {
+        faults.push(fault);
+        return None;
+    }
     let read = if xml::looks_like_xml(text) {
         xml::parse(text, source, Document::World)
     } else {
@@ -53,8 +57,11 @@ pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
             .into_iter()
             .map(|e| Fault::error(place(node, &e.path), e.message)),
     );
+    if !sound {
+        return None;
+    }
     faults.extend(not_solid_yet(node));
-    sound.then_some(world)
+    Some(world)
 }
 
 /// Objects are read and checked, and nothing touches them yet: said once, at the first of them.

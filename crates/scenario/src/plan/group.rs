@@ -5,7 +5,7 @@ use super::section::{Section, read};
 use super::shared::{choice, empty};
 use super::start::Start;
 use super::{Choice, Context, default_vehicle, part};
-use crate::limit::MODELS_MAX;
+use crate::limit::{MODEL_BYTES, MODELS_MANY, MODELS_MAX};
 use simbeeotic_model::ModelPlan;
 use simbeeotic_model::config::{Fault, Node, Sources, Span, Value};
 use simbeeotic_model::instance::GearPlan;
@@ -115,8 +115,7 @@ fn count(
         _ => read(node, &mut cx.faults)?,
     };
     if count > MODELS_MAX {
-        let message = format!("{count} models are more than {MODELS_MAX}");
-        cx.faults.push(Fault::error(node.span, message));
+        cx.faults.push(too_many(count, node.span));
         return None;
     }
     if let (Some(places), Some((span, _))) = (places, start)
@@ -210,14 +209,17 @@ fn flying(
 /// channel.
 pub(super) fn check_all(groups: &[Group], root: &Node, has_channel: bool, cx: &mut Context<'_>) {
     let total = total(groups);
+    let span = root
+        .as_table()
+        .and_then(|t| t.get("model"))
+        .map_or(root.span, |n| n.span);
     if total > MODELS_MAX {
-        let span = root
-            .as_table()
-            .and_then(|t| t.get("model"))
-            .map_or(root.span, |n| n.span);
-        let message = format!("{total} models, nested ones counted, are more than {MODELS_MAX}");
-        cx.faults.push(Fault::error(span, message));
+        cx.faults.push(too_many(total, span));
         return;
+    }
+    if total > MODELS_MANY {
+        let message = format!("{total} models take about {} of memory", memory(total));
+        cx.faults.push(Fault::warning(span, message));
     }
     check_names(groups, cx);
     if !has_channel && let Some(group) = with_radio(groups) {
@@ -226,6 +228,22 @@ pub(super) fn check_all(groups: &[Group], root: &Node, has_channel: bool, cx: &m
         cx.faults
             .push(fault.help("add: [channel]  use = \"free-space\""));
     }
+}
+
+fn too_many(count: u64, span: Span) -> Fault {
+    let message = format!("{count} models, nested ones counted, are more than {MODELS_MAX}");
+    let help = format!(
+        "a model takes about {:.1} kB: these would take {}",
+        MODEL_BYTES as f64 / 1e3,
+        memory(count)
+    );
+    Fault::error(span, message).help(help)
+}
+
+/// How much memory so many models take.
+fn memory(count: u64) -> String {
+    let gigabytes = count as f64 * MODEL_BYTES as f64 / 1e9;
+    format!("{gigabytes:.1} GB")
 }
 
 /// How many models the entries make, nested ones included.

@@ -16,6 +16,7 @@
 
 use super::Context;
 use super::section::{Section, read};
+use crate::limit::{MODELS_MAX, START_M_MAX};
 use simbeeotic_model::config::{Fault, Node, Span, Value};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_units::glam::DVec3;
@@ -61,7 +62,7 @@ const LEAST_ABOVE_GROUND: f64 = 1e-3;
 /// Draws until a point of a ball lies above the ground, at most.
 const DRAWS_MAX: usize = 100_000;
 /// Longest list of starts.
-const LIST_MAX: usize = 10_000_000;
+const LIST_MAX: usize = MODELS_MAX as usize;
 
 impl Default for Start {
     fn default() -> Self {
@@ -120,9 +121,9 @@ impl Start {
     /// Reads a start.
     pub(super) fn read(node: &Node, cx: &mut Context<'_>) -> Option<Self> {
         if node.as_array().is_some() {
-            let point: Position = read(node, &mut cx.faults)?;
+            let point = place(node, &mut cx.faults)?;
             return Some(Self {
-                placing: Placing::Point(point.si()),
+                placing: Placing::Point(point),
                 ..Self::default()
             });
         }
@@ -173,12 +174,10 @@ impl Context<'_> {
     fn placing(&mut self, form: &str, value: &Node, section: &mut Section<'_>) -> Option<Placing> {
         let faults = &mut self.faults;
         match form {
-            "point" => Some(Placing::Point(read::<Position>(value, faults)?.si())),
+            "point" => Some(Placing::Point(place(value, faults)?)),
             "box" => {
-                let from = section
-                    .read::<Position>("from", faults)
-                    .unwrap_or(Position::ZERO);
-                let size = read::<Position>(value, faults)?.si();
+                let from = corner(section, "from", faults);
+                let size = place(value, faults)?;
                 if size.min_element() < 0.0 {
                     faults.push(Fault::error(
                         value.span,
@@ -186,17 +185,13 @@ impl Context<'_> {
                     ));
                     return None;
                 }
-                Some(Placing::Box {
-                    from: from.si(),
-                    size,
-                })
+                let from = from?;
+                Some(Placing::Box { from, size })
             }
             "ball" => {
-                let center = section
-                    .read::<Position>("center", faults)
-                    .unwrap_or(Position::ZERO);
-                let radius_m = read::<Length>(value, faults)?.get();
-                let center = center.si();
+                let center = corner(section, "center", faults);
+                let radius_m = extent(value, faults)?;
+                let center = center?;
                 if radius_m < 0.0 {
                     faults.push(Fault::error(
                         value.span,
@@ -212,25 +207,30 @@ impl Context<'_> {
                 Some(Placing::Ball { center, radius_m })
             }
             "grid" => {
-                let from = section
-                    .read::<Position>("from", faults)
-                    .unwrap_or(Position::ZERO);
+                let from = corner(section, "from", faults);
                 let spacing = section.required("spacing", "spacing = \"2 m\"", faults);
                 let cells: Option<[u64; 3]> = read(value, faults);
                 let spacing = spacing.and_then(|node| match node.value {
-                    Value::Array(_) => read::<Position>(node, faults).map(Position::si),
-                    _ => read::<Length>(node, faults).map(|l| DVec3::splat(l.get())),
+                    Value::Array(_) => place(node, faults),
+                    _ => extent(node, faults).map(DVec3::splat),
                 });
                 let cells = cells?;
                 let product = cells.iter().try_fold(1_u64, |all, n| all.checked_mul(*n));
-                if !product.is_some_and(|n| (1..=crate::limit::MODELS_MAX).contains(&n)) {
-                    let message = "a grid has at least one point, and not too many";
+                if !product.is_some_and(|n| (1..=MODELS_MAX).contains(&n)) {
+                    let message = format!("a grid has from 1 to {MODELS_MAX} points");
                     faults.push(Fault::error(value.span, message));
                     return None;
                 }
+                let (from, spacing) = (from?, spacing?);
+                let last = from + spacing * DVec3::from(cells.map(|n| (n - 1) as f64));
+                if !last.to_array().into_iter().all(near) {
+                    let message = "the last point of this grid is too far from the origin";
+                    faults.push(Fault::error(value.span, message).help(far_help()));
+                    return None;
+                }
                 Some(Placing::Grid {
-                    from: from.si(),
-                    spacing: spacing?,
+                    from,
+                    spacing,
                     cells,
                 })
             }
@@ -240,7 +240,11 @@ impl Context<'_> {
                     faults.push(Fault::error(value.span, "this list of starts is empty"));
                     return None;
                 }
-                Some(Placing::List(list.into_iter().map(Position::si).collect()))
+                let nodes = value.as_array().unwrap_or_default();
+                let places = nodes.iter().map(|node| place(node, faults));
+                // All of them are looked at, so that all faults are found.
+                let places: Vec<Option<DVec3>> = places.collect();
+                places.into_iter().collect::<Option<_>>().map(Placing::List)
             }
             _ => {
                 let name: String = read(value, faults)?;
@@ -250,27 +254,32 @@ impl Context<'_> {
         }
     }
 
-    /// The positions in a file of lines `x, y, z`, in metres. A first line of words is a heading;
-    /// empty lines and lines that begin with `#` do not count.
+    /// The positions in a file of lines `x, y, z`, in metres. A first line of words, none of which
+    /// begins like a number, is a heading; empty lines and lines that begin with `#` do not count.
     fn positions(&mut self, name: &str, asked: Span) -> Option<Vec<DVec3>> {
         let (source, text) = self.read_file(name, Some(asked))?;
         let mut list = Vec::new();
-        let mut from = 0;
+        let mut from = text.len() - text.trim_start_matches('\u{feff}').len();
+        let mut first = true;
         let faults_before = self.faults.len();
-        for (number, line) in text.split('\n').enumerate() {
+        for line in text.trim_start_matches('\u{feff}').split('\n') {
             let span = Span::new(source, from, from + line.trim_end().len());
             from += line.len() + 1;
             let bare = line.trim();
             if bare.is_empty() || bare.starts_with('#') {
                 continue;
             }
+            let heading = std::mem::take(&mut first) && bare.split(',').all(is_word);
             let numbers: Vec<Option<f64>> = bare
                 .split(',')
                 .map(|n| n.trim().parse().ok().filter(|n: &f64| n.is_finite()))
                 .collect();
             match numbers.as_slice() {
-                [Some(x), Some(y), Some(z)] => list.push(DVec3::new(*x, *y, *z)),
-                words if number == 0 && words.iter().all(Option::is_none) => {}
+                [Some(x), Some(y), Some(z)] if [*x, *y, *z].into_iter().all(near) => {
+                    list.push(DVec3::new(*x, *y, *z));
+                }
+                [Some(_), Some(_), Some(_)] => self.faults.push(far(span)),
+                _ if heading => {}
                 _ => {
                     let fault = Fault::error(span, "this line is no position");
                     self.faults
@@ -278,8 +287,10 @@ impl Context<'_> {
                 }
             }
             if list.len() > LIST_MAX {
-                self.faults
-                    .push(Fault::error(span, "this file has too many positions"));
+                self.faults.push(Fault::error(
+                    span,
+                    format!("more than {LIST_MAX} positions"),
+                ));
                 return None;
             }
         }
@@ -293,6 +304,57 @@ impl Context<'_> {
         }
         Some(list)
     }
+}
+
+/// Whether a cell of a heading is one: it does not begin as a number does.
+fn is_word(cell: &str) -> bool {
+    let cell = cell.trim().trim_start_matches(['"', '\'']);
+    !cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'))
+}
+
+/// Whether a coordinate, or a length, is small enough to start from.
+fn near(metres: f64) -> bool {
+    metres.abs() <= START_M_MAX
+}
+
+fn far(span: Span) -> Fault {
+    Fault::error(span, "this is too far from the origin").help(far_help())
+}
+
+fn far_help() -> String {
+    format!(
+        "starts lie within {:.0} km along each axis",
+        START_M_MAX / 1e3
+    )
+}
+
+/// A position, or an extent along the axes, that is not too large.
+fn place(node: &Node, faults: &mut Vec<Fault>) -> Option<DVec3> {
+    let place = read::<Position>(node, faults)?.si();
+    let wrong = place.to_array().into_iter().position(|x| !near(x));
+    let Some(axis) = wrong else {
+        return Some(place);
+    };
+    let component = node.as_array().and_then(|all| all.get(axis));
+    faults.push(far(component.unwrap_or(node).span));
+    None
+}
+
+/// A length that is not too large.
+fn extent(node: &Node, faults: &mut Vec<Fault>) -> Option<f64> {
+    let length = read::<Length>(node, faults)?.get();
+    if near(length) {
+        return Some(length);
+    }
+    faults.push(Fault::error(node.span, "this is too long").help(far_help()));
+    None
+}
+
+/// The position that a key of a start gives; the origin if it is not there.
+fn corner(section: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>) -> Option<DVec3> {
+    section
+        .get(key)
+        .map_or(Some(DVec3::ZERO), |node| place(node, faults))
 }
 
 /// How a start is turned: by `yaw` or by `heading`, or not.
@@ -436,6 +498,23 @@ mod tests {
     }
 
     #[test]
+    fn what_is_too_far_is_shown_where_it_stands() {
+        for (text, wrong) in [
+            (r#"["1 m", "2 m", "1e300 m"]"#, r#""1e300 m""#),
+            (r#"{ ball = "1e5 km" }"#, r#""1e5 km""#),
+            (
+                r#"{ list = [["0 m", "0 m", "0 m"], ["-1e8 m", "2 m", "0 m"]] }"#,
+                r#""-1e8 m""#,
+            ),
+            (r#"{ grid = [1, 1, 1], spacing = "1e8 m" }"#, r#""1e8 m""#),
+        ] {
+            let faults = start(text).expect_err("too far");
+            let span = faults[0].span.expect("a place");
+            assert_eq!(&format!("s = {text}")[span.start..span.end], wrong);
+        }
+    }
+
+    #[test]
     fn nonsense_is_refused() {
         for text in [
             "12",
@@ -455,12 +534,26 @@ mod tests {
             r#"{ grid = [-1, 2, 2], spacing = "1 m" }"#,
             r#"{ grid = [100000, 100000, 100000], spacing = "1 m" }"#,
             r#"{ list = [] }"#,
+            "[]",
+            r#"{ ball = "1e300 m" }"#,
+            r#"{ ball = "1 m", center = ["0 m", "1e8 m", "0 m"] }"#,
+            r#"{ box = ["1 m", "1e8 m", "1 m"] }"#,
+            r#"{ box = ["1 m", "1 m", "1 m"], from = ["0 m", "0 m", "-1e8 m"] }"#,
+            r#"{ grid = [2, 2, 2], spacing = "1e8 m" }"#,
+            r#"{ grid = [1000000, 1, 1], spacing = "11 m" }"#,
+            r#"{ list = [["1 m", "2 m", "1e300 m"]] }"#,
+            r#"{ point = ["1 m", "2 m", "1e300 m"] }"#,
             r#"{ list = [["1 m", "2 m"]] }"#,
             r#"{ file = "no-such-file.csv" }"#,
             r#"{ point = ["0 m", "0 m", "0 m"], yaw = "0 deg", heading = "0 deg" }"#,
             r#"{ point = ["0 m", "0 m", "0 m"], yaw = "north" }"#,
         ] {
-            assert!(start(text).is_err(), "{text}");
+            let faults = start(text).err().unwrap_or_default();
+            assert!(!faults.is_empty(), "{text}");
+            assert!(
+                faults.iter().all(|f| f.span.is_some()),
+                "{text}: {faults:?}"
+            );
         }
     }
 }

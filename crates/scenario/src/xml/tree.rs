@@ -338,7 +338,7 @@ impl Builder<'_> {
                 self.fault(element.name.span, message);
             } else if self.root.is_none() {
                 let end = self.span(self.whole.len(), self.whole.len());
-                self.fault(end, "there is no element in this file");
+                self.fault(end, "this file is empty: there is no element in it");
             }
         }
         match self.root {

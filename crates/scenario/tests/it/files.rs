@@ -38,6 +38,56 @@ fn a_wrong_line_of_positions_is_shown() {
 }
 
 #[test]
+fn only_words_are_a_heading() {
+    for heading in [
+        "1 m,2 m,3 m\n",
+        "-x,-y,-z\n",
+        ".1.,.2.,.3.\n",
+        "x,y,3 m\n",
+        "1e3x,y,z\n",
+    ] {
+        let csv = format!("{heading}1,2,3\n");
+        let said = load(SCENARIO.as_bytes(), &[("p.csv", csv.as_bytes())]).expect_err("wrong");
+        assert!(
+            said.contains("no position") && said.contains("p.csv:1:1"),
+            "{heading}{said}"
+        );
+    }
+    for heading in [
+        "east,north,up\n",
+        "# a comment\nx,y,z\n",
+        "\u{feff}\"x\",\"y\",\"z\"\n",
+        "\n",
+    ] {
+        let csv = format!("{heading}1,2,3\n");
+        assert_eq!(
+            load(SCENARIO.as_bytes(), &[("p.csv", csv.as_bytes())]),
+            Ok(1),
+            "{heading}"
+        );
+    }
+    let said = load(
+        SCENARIO.as_bytes(),
+        &[("p.csv", b"1,2,3\nx,y,z\n4,1e300,6\n")],
+    );
+    let said = said.expect_err("wrong");
+    assert!(
+        said.contains("p.csv:2:1") && said.contains("p.csv:3:1"),
+        "{said}"
+    );
+}
+
+#[test]
+fn an_empty_world_file_is_called_empty() {
+    let scenario = b"world = \"w.toml\"\n[run]\nend_time = \"1 s\"\n";
+    let said = load(scenario, &[("w.toml", b"\n")]).expect_err("empty");
+    assert!(
+        said.contains("this file is empty") && said.contains("w.toml:1:1"),
+        "{said}"
+    );
+}
+
+#[test]
 fn a_file_that_is_not_there_is_named_where_it_is_asked_for() {
     let said = load(SCENARIO.as_bytes(), &[]).expect_err("missing");
     assert!(
