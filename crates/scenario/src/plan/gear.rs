@@ -1,6 +1,6 @@
 //! What a model carries: sensors and radios, and where they sit.
 
-use super::section::{Section, read};
+use super::section::{Section, read, table_help};
 use super::shared::choice;
 use super::{Choice, part};
 use simbeeotic_model::config::{Fault, Node, Table};
@@ -18,7 +18,7 @@ const RADIO: &str = "radio";
 pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPlan {
     let mut gear = GearPlan::default();
     if let Some(node) = section.get("sensor") {
-        for (name, node) in named_tables(node, "sensor", faults) {
+        for (name, node) in named_tables(node, "sensor", Kind::Sensor, faults) {
             gear.sensors.extend(sensor(name, node, faults));
         }
     }
@@ -29,7 +29,7 @@ pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPl
         if single {
             gear.radios.extend(radio(RADIO, node, faults));
         } else {
-            for (name, node) in named_tables(node, "radio", faults) {
+            for (name, node) in named_tables(node, "radio", Kind::Radio, faults) {
                 gear.radios.extend(radio(name, node, faults));
             }
         }
@@ -50,6 +50,7 @@ fn only_values(table: &Table) -> bool {
 fn named_tables<'n>(
     node: &'n Node,
     what: &str,
+    kind: Kind,
     faults: &mut Vec<Fault>,
 ) -> Vec<(&'n str, &'n Node)> {
     let Some(table) = node.as_table() else {
@@ -57,7 +58,14 @@ fn named_tables<'n>(
             "{} where a table `[model.{what}.NAME]` is wanted",
             node.value.kind()
         );
-        faults.push(Fault::error(node.span, message));
+        let mut fault = Fault::error(node.span, message);
+        let key = match kind {
+            // A radio needs no name.
+            Kind::Radio => what.to_owned(),
+            _ => format!("{what}.{}", node.as_str().unwrap_or("NAME")),
+        };
+        fault.help = table_help(node, &key, kind);
+        faults.push(fault);
         return Vec::new();
     };
     let mut all = Vec::new();
@@ -68,6 +76,9 @@ fn named_tables<'n>(
             } else {
                 faults.push(Fault::error(key.span, format!("`{}` is no name", key.text)));
             }
+        } else if let Some(help) = table_help(inner, &format!("{what}.{}", key.text), kind) {
+            let message = format!("text where a {what} is wanted, which is a table");
+            faults.push(Fault::error(inner.span, message).help(help));
         } else {
             let message = format!("a {what} needs a name: [model.{what}.NAME]");
             faults.push(Fault::error(key.span, message));

@@ -123,7 +123,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         Some(models) => models,
         None => {
             let message = "there is no `[[model]]`: nothing moves in this scenario";
-            cx.faults.push(Fault::warning(None, message));
+            cx.faults.push(Fault::warning(root.span, message));
             Vec::new()
         }
     };

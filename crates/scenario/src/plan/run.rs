@@ -34,8 +34,7 @@ const THREADS_MAX: u64 = 4096;
 /// Reads the section `[run]` of a scenario.
 pub(super) fn read_run(node: &Node, faults: &mut Vec<Fault>) -> Option<Run> {
     let mut section = Section::open(node, "`[run]`", faults)?;
-    // Old seeds are signed: the same 64 bits count.
-    let seed: Option<i64> = section.read("seed", faults);
+    let seed = section.get("seed").and_then(|node| seed(node, faults));
     let end = section.required("end_time", "end_time = \"60 s\"", faults);
     let end = end.and_then(|node| instant(node, faults));
     let wall = section.get("wall_time").map(|node| duration(node, faults));
@@ -78,7 +77,7 @@ pub(super) fn read_run(node: &Node, faults: &mut Vec<Fault>) -> Option<Run> {
     }
     section.finish(faults);
     Some(Run {
-        seed: seed.map_or(SEED, |seed| seed as u64),
+        seed: seed.unwrap_or(SEED),
         limits,
         threads: threads
             .and_then(|n| usize::try_from(n).ok())
@@ -103,9 +102,26 @@ pub(super) fn read(root: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Ru
     }
 }
 
+/// A seed. The original's are signed, and files hold 64 bits with a sign: of a negative one the same
+/// bits count.
+fn seed(node: &Node, faults: &mut Vec<Fault>) -> Option<u64> {
+    let signed: i64 = section::read(node, faults)?;
+    let seed = signed as u64;
+    if signed < 0 {
+        let message = format!("the seed {signed} is the same as {seed}, which the summary shows");
+        faults.push(Fault::note(node.span, message));
+    }
+    Some(seed)
+}
+
 fn instant(node: &Node, faults: &mut Vec<Fault>) -> Option<SimTime> {
     let time: Time = section::read(node, faults)?;
     match SimTime::from_time(time) {
+        Ok(SimTime::ZERO) if time != Time::ZERO => {
+            let message = format!("{time} is less than a nanosecond, the step of virtual time");
+            faults.push(Fault::error(node.span, message));
+            None
+        }
         Ok(instant) => Some(instant),
         Err(error) => {
             faults.push(Fault::error(node.span, error.to_string()));
@@ -119,10 +135,8 @@ fn duration(node: &Node, faults: &mut Vec<Fault>) -> Option<Duration> {
     match Duration::try_from_secs_f64(time.get()) {
         Ok(duration) if !duration.is_zero() => Some(duration),
         _ => {
-            faults.push(Fault::error(
-                node.span,
-                "a limit of wall time is more than zero",
-            ));
+            let message = "a limit of wall time is at least a nanosecond, and no eternity";
+            faults.push(Fault::error(node.span, message));
             None
         }
     }

@@ -2,7 +2,8 @@
 
 use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Key, Node, Table, Value, read_params};
-use simbeeotic_model::registry::Part;
+use simbeeotic_model::registry::{Kind, Part, of_kind};
+use simbeeotic_units::did_you_mean;
 
 /// A table, and the keys that were asked for so far.
 pub(super) struct Section<'n> {
@@ -26,6 +27,23 @@ impl<'n> Section<'n> {
                 None
             }
         }
+    }
+
+    /// As [`open`](Self::open), for the table of a part: a text in its place may be the part's name.
+    pub(super) fn open_part(
+        node: &'n Node,
+        what: &str,
+        (key, kind): (&str, Kind),
+        faults: &mut Vec<Fault>,
+    ) -> Option<Self> {
+        let before = faults.len();
+        let section = Self::open(node, what, faults);
+        if section.is_none()
+            && let Some(fault) = faults.get_mut(before)
+        {
+            fault.help = table_help(node, key, kind);
+        }
+        section
     }
 
     /// The value of a key, if it is there.
@@ -98,6 +116,19 @@ impl<'n> Section<'n> {
         }
         Node::new(self.node.span, Value::Table(rest))
     }
+}
+
+/// Help for a text where a table of a part is wanted: the table that was meant. `key` leads to it.
+pub(super) fn table_help(node: &Node, key: &str, kind: Kind) -> Option<String> {
+    let word = node.as_str()?;
+    let names: Vec<&str> = of_kind(kind).map(|part| part.label.name).collect();
+    let name = names
+        .iter()
+        .find(|name| **name == word)
+        .copied()
+        .or_else(|| did_you_mean(word, names.iter().copied()))
+        .or_else(|| names.first().copied())?;
+    Some(format!("write: {key} = {{ use = \"{name}\" }}"))
 }
 
 /// A value as a `T`, or all the faults in it.

@@ -70,7 +70,8 @@ impl Default for NoiseFloor {
 }
 
 pub(super) fn channel(node: &Node, faults: &mut Vec<Fault>) -> Option<Channel> {
-    let mut section = Section::open(node, "`[channel]`", faults)?;
+    let mut section =
+        Section::open_part(node, "`[channel]`", ("channel", Kind::Propagation), faults)?;
     let part = part(&mut section, Kind::Propagation, faults);
     let medium = section.read("medium", faults).unwrap_or_default();
     let noise: NoiseFloor = section.read("noise_floor", faults).unwrap_or_default();
@@ -110,7 +111,7 @@ fn made(make: Make, rest: &Node, faults: &mut Vec<Fault>) -> Option<Arc<dyn Prop
 }
 
 pub(super) fn weather(node: &Node, faults: &mut Vec<Fault>) -> Option<Choice> {
-    let mut section = Section::open(node, "`[weather]`", faults)?;
+    let mut section = Section::open_part(node, "`[weather]`", ("weather", Kind::Weather), faults)?;
     let part = part(&mut section, Kind::Weather, faults)?;
     let params = section.rest(part, faults);
     if let Make::Weather(make) = part.make {

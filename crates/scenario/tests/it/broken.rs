@@ -44,6 +44,7 @@ fn broken_toml() -> Vec<Broken> {
             add(format!("{key} = "), "no value");
             add(format!("{key} = {{ nonsense = 1 }}"), "a table of nonsense");
             add(format!("{key} = nan"), "not a number");
+            add(format!("{key} = []"), "empty array");
             add(format!("{line}\n{line}"), "twice");
             if value.contains('"') {
                 add(line.replacen('"', "", 1), "a quote is missing");
@@ -219,6 +220,129 @@ fn broken_worlds_in_xml_are_refused_with_line_and_column() {
     let broken = broken_xml(WORLD);
     assert!(broken.len() >= 200, "{}", broken.len());
     refuse_all(&broken, load_world);
+}
+
+/// Values of every type that TOML has, most of them wrong wherever they stand.
+const VALUES: [&str; 18] = [
+    "true",
+    "0",
+    "-1",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "0.5",
+    "-1e300",
+    "\"\"",
+    "\"zz\"",
+    "\"1 m\"",
+    "\"-1e300 s\"",
+    "\"0.1 ns\"",
+    "[]",
+    "[1]",
+    "[\"1 m\", \"1 m\"]",
+    "[[1, 2, 3, 4, 5, 6, 7, 8]]",
+    "{}",
+    "{ use = 1, 0 = [] }",
+];
+
+/// Asserts that all errors have a place, and that none speaks of the program's own types.
+fn in_the_words_of_users(what: &str, rejected: &simbeeotic_scenario::Rejected) {
+    let said = crate::shown(rejected);
+    for fault in rejected.faults.iter().filter(|f| f.is_error()) {
+        assert!(fault.span.is_some(), "{what}: {fault:?}");
+        let words = format!("{} {}", fault.message, fault.help.as_deref().unwrap_or(""));
+        for word in [
+            "invalid type",
+            "invalid value",
+            "invalid length",
+            "expected i",
+            "expected u",
+            "expected struct",
+            "expected a ",
+            "struct ",
+            "enum ",
+            "variant",
+            "untagged",
+            "tuple",
+            "u64",
+            "i64",
+            "f64",
+            "u32",
+            "u8",
+            "usize",
+            "Some(",
+            "NaN",
+        ] {
+            assert!(!words.contains(word), "{what}: `{word}` in\n{said}");
+        }
+    }
+}
+
+#[test]
+fn values_of_a_wrong_type_are_told_in_the_words_of_users() {
+    let mut refused = 0;
+    for (number, line) in TOML.lines().enumerate() {
+        let Some((key, _)) = line.split_once(" = ") else {
+            continue;
+        };
+        for value in VALUES {
+            let Broken { what, text } = with_line(TOML, number, &format!("{key} = {value}"), value);
+            if let Err(rejected) = load_text("broken", &text, &Request::default()) {
+                refused += 1;
+                in_the_words_of_users(&what, &rejected);
+            }
+        }
+    }
+    assert!(refused >= 1000, "{refused}");
+}
+
+#[test]
+fn overrides_of_a_wrong_type_are_told_in_the_words_of_users() {
+    let keys = [
+        "run",
+        "run.seed",
+        "run.threads",
+        "channel",
+        "channel.medium",
+        "weather",
+        "weather.wind",
+        "world",
+        "world.radius",
+        "world.obstacle",
+        "world.person",
+        "physics",
+        "physics.ground",
+        "record",
+        "component",
+        "model",
+        "model.0",
+        "model.0.start",
+        "model.0.count",
+        "model.0.params",
+        "model.0.vehicle",
+        "model.0.sensor",
+        "model.0.sensor.x",
+        "model.0.sensor.x.mount",
+        "model.0.radio",
+        "model.0.radio.antenna",
+        "model.0.model",
+        "model.0.start.list",
+        "model.0.start.grid",
+        "model.0.start.file",
+        "model.0.use",
+        "sweep",
+    ];
+    for key in keys {
+        for value in VALUES {
+            let argument = format!("{key}={value}");
+            let request = Request {
+                sets: vec![argument.clone()],
+                ..Request::default()
+            };
+            if let Err(rejected) = load_text("broken", TOML, &request) {
+                in_the_words_of_users(&argument, &rejected);
+            }
+        }
+    }
 }
 
 /// One change of a text: at a place, some characters go and others come.

@@ -79,6 +79,124 @@ fn a_missing_section_says_what_to_add() {
     insta::assert_snapshot!(bad("swarm.toml", "[[model]]\nuse = \"inert-bee\"\n"));
 }
 
+/// The faults of a scenario with some lines more.
+fn with(lines: &str) -> String {
+    bad("x.toml", &format!("{lines}\n[run]\nend_time = \"1 s\"\n"))
+}
+
+#[test]
+fn the_name_of_a_part_where_its_table_is_wanted_shows_the_table() {
+    let model = |line: &str| with(&format!("model = [{{ use = \"instrument-bee\", {line} }}]"));
+    for (said, help) in [
+        (
+            model("radio = \"cc2420\""),
+            "write: radio = { use = \"cc2420\" }",
+        ),
+        (
+            model("sensor.c = \"compas\""),
+            "write: sensor.c = { use = \"compass\" }",
+        ),
+        (
+            model("sensor = \"compass\""),
+            "write: sensor.compass = { use = \"compass\" }",
+        ),
+        (
+            with("weather = \"constant-weather\""),
+            "write: weather = { use = \"constant-weather\" }",
+        ),
+        (
+            with("channel = \"free-space\""),
+            "write: channel = { use = \"free-space\" }",
+        ),
+    ] {
+        assert!(said.contains(help) && said.contains("x.toml:1:"), "{said}");
+    }
+    let vehicle = "model = [{ use = \"instrument-bee\", vehicle = \"simple-bee\" }]";
+    crate::good("x.toml", &format!("{vehicle}\n[run]\nend_time = \"1 s\"\n"));
+}
+
+#[test]
+fn a_start_of_nothing_shows_its_place() {
+    let said = with("model = [{ use = \"inert-bee\", start = [] }]");
+    assert!(
+        said.contains("this list is empty; wanted: three quantities")
+            && said.contains("x.toml:1:39"),
+        "{said}"
+    );
+}
+
+#[test]
+fn times_of_less_than_a_nanosecond_are_refused() {
+    for key in ["end_time", "wall_time"] {
+        let end = if key == "end_time" {
+            ""
+        } else {
+            "end_time = \"1 s\""
+        };
+        let said = bad("x.toml", &format!("[run]\n{key} = \"0.1 ns\"\n{end}\n"));
+        assert!(
+            said.contains("nanosecond") && said.contains("x.toml:2:"),
+            "{said}"
+        );
+    }
+    let said = with("physics = { list_period = \"0.1 ns\" }");
+    assert!(said.contains("x.toml:1:27"), "{said}");
+}
+
+#[test]
+fn a_negative_seed_says_what_it_is() {
+    let text = "[run]\nseed = -5\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n";
+    let loaded = crate::good("x.toml", text);
+    assert_eq!(loaded.plan().run.seed, 18_446_744_073_709_551_611);
+    let said = simbeeotic_scenario::render::faults(loaded.faults(), loaded.sources(), false);
+    assert!(
+        said.contains("the seed -5 is the same as 18446744073709551611"),
+        "{said}"
+    );
+}
+
+#[test]
+fn empty_files_are_called_empty() {
+    for text in [
+        "",
+        " \n\n",
+        "\u{feff}",
+        "<!-- nothing -->\n",
+        "<?xml version=\"1.0\"?>\n",
+    ] {
+        let said = bad("x.toml", text);
+        assert!(
+            said.contains("this file is empty") && said.contains("x.toml:1:"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn so_many_models_say_how_much_memory_they_take() {
+    let scenario = |outer: u64, inner: u64| {
+        format!(
+            "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\ncount = {outer}\n\
+             [[model.model]]\nuse = \"inert-bee\"\ncount = {inner}\n"
+        )
+    };
+    for (outer, inner) in [(4_000_001, 0), (2_000, 2_000)] {
+        let said = bad("x.toml", &scenario(outer, inner));
+        assert!(
+            said.contains("are more than 4000000") && said.contains("4.8 GB"),
+            "{said}"
+        );
+    }
+    let loaded = crate::good("x.toml", &scenario(1_000, 1_000));
+    let said = simbeeotic_scenario::render::faults(loaded.faults(), loaded.sources(), false);
+    assert!(
+        said.contains("1001000 models take about 1.2 GB of memory"),
+        "{said}"
+    );
+    let loaded = crate::good("x.toml", &scenario(1_000, 999));
+    assert!(loaded.faults().is_empty());
+}
+
 #[test]
 fn a_part_of_another_kind_says_so() {
     let text = "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"compass\"\n";
