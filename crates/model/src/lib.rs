@@ -79,8 +79,8 @@ pub mod prelude {
     pub use crate::radio::{Inbox, Packet};
     pub use crate::units::{
         Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,
-        ForceVec, Frequency, Heading, Length, Mass, Offset, Pose, Position, PowerLevel, Rate,
-        Speed, Time, Twist, Velocity, Yaw,
+        ForceVec, Frequency, Heading, ImpulseVec, Length, Mass, Offset, Pose, Position, PowerLevel,
+        Rate, Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
         Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor,

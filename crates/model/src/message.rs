@@ -1,7 +1,7 @@
 //! What reaches a model besides its timers: messages and touches.
 
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Enu, ForceVec, Position, Velocity};
+use simbeeotic_units::{Enu, ImpulseVec, Position, Velocity};
 use std::any::Any;
 use std::fmt;
 
@@ -42,6 +42,6 @@ pub struct Touch {
     pub normal: [f64; 3],
     /// Velocity of the own body against the other before the impact, world frame.
     pub relative_velocity: Velocity<Enu>,
-    /// The impulse on the own body as a force over one second (N s), world frame.
-    pub impulse: ForceVec<Enu>,
+    /// The impulse on the own body, world frame.
+    pub impulse: ImpulseVec<Enu>,
 }

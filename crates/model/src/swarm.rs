@@ -317,7 +317,7 @@ fn touch(contact: &Contact, time: SimTime, other: Option<ModelId>, side: f64) ->
         point: Position::from_si(contact.point_enu),
         normal: (contact.normal_enu * side).to_array(),
         relative_velocity: Velocity::from_si(contact.relative_velocity_enu * side),
-        impulse: simbeeotic_units::ForceVec::from_si(contact.impulse_enu * side),
+        impulse: simbeeotic_units::ImpulseVec::from_si(contact.impulse_enu * side),
     }
 }
 

@@ -64,7 +64,7 @@ impl FromParams for RecorderComponent {
     type Params = RecorderParams;
 
     fn from_params(params: RecorderParams) -> Result<Self, BuildError> {
-        positive("period", params.period.get())?;
+        positive("period", params.period)?;
         if params.path.as_os_str().is_empty() {
             return Err(BuildError::parameter("path", "must name a file"));
         }

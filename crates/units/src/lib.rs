@@ -53,11 +53,11 @@ pub mod text;
 pub use glam;
 pub use quantity::{
     Acceleration, Angle, AngularRate, Area, Charge, Current, DataRate, Decibels, Density, Energy,
-    Force, Frequency, Length, Mass, Power, PowerLevel, Pressure, Quantity, QuantityError, Scale,
-    Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
+    Force, Frequency, Impulse, Length, Mass, Power, PowerLevel, Pressure, Quantity, QuantityError,
+    Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
 };
 pub use space::{
-    Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, Mount, Offset, Pose, Position, Rate,
-    TorqueVec, Twist, V3, Velocity, Wrench, Yaw,
+    Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, ImpulseVec, Mount, Offset, Pose, Position,
+    Rate, TorqueVec, Twist, V3, Velocity, Wrench, Yaw,
 };
 pub use text::did_you_mean;

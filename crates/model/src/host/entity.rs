@@ -5,8 +5,8 @@ use crate::swarm::Own;
 use simbeeotic_kernel::ModelId;
 use simbeeotic_physics::{BodyError, BodyId, Motion};
 use simbeeotic_units::{
-    Accel, Acceleration, Attitude, Density, Enu, Flu, ForceVec, Heading, Length, Pose, Position,
-    Rate, TorqueVec, Twist, Velocity,
+    Accel, Acceleration, Attitude, Density, Enu, Flu, ForceVec, Heading, ImpulseVec, Length, Pose,
+    Position, Rate, TorqueVec, Twist, Velocity,
 };
 use std::ops::{Deref, DerefMut};
 
@@ -116,9 +116,9 @@ impl<'a> Entity<'a> {
         self.change(|motion| motion.set_torque(now, torque.si()));
     }
 
-    /// Gives a push (N s), world frame, at the centre of mass: a force that acts for one second,
-    /// all at once.
-    pub fn push(&mut self, impulse: ForceVec<Enu>) {
+    /// Gives a push, world frame, at the centre of mass: the velocity changes at once, by the
+    /// impulse over the mass.
+    pub fn push(&mut self, impulse: ImpulseVec<Enu>) {
         let now = self.cx.now;
         self.change(|motion| motion.add_impulse(now, impulse.si()));
     }

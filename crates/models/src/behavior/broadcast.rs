@@ -39,8 +39,8 @@ impl Behavior for BroadcastBee {
     type Params = BroadcastBeeParams;
 
     fn build(params: BroadcastBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-        positive("period", params.period.get())?;
-        at_least_zero("drift_sigma", params.drift_sigma.get())?;
+        positive("period", params.period)?;
+        at_least_zero("drift_sigma", params.drift_sigma)?;
         kit.once(Time::ZERO, Self::set_off);
         kit.every(params.period, Self::talk);
         let mut chance = kit.stream("drift");

@@ -30,12 +30,12 @@ impl Behavior<Station> for SimpleHive {
     type Params = SimpleHiveParams;
 
     fn build(params: SimpleHiveParams, _kit: &mut Kit<Self, Station>) -> Result<Self, BuildError> {
-        positive("size", params.size.get())?;
+        positive("size", params.size)?;
         Ok(Self)
     }
 
     fn body(params: &SimpleHiveParams) -> Option<BodySpec> {
-        let half = 0.5 * params.size.get();
+        let half = 0.5 * params.size.metres();
         Some(BodySpec {
             p_enu: DVec3::new(0.0, 0.0, half),
             mobility: Mobility::Fixed,

@@ -58,11 +58,11 @@ impl Behavior for InstrumentBee {
     type Params = InstrumentBeeParams;
 
     fn build(params: InstrumentBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-        at_least_zero("max_speed", params.max_speed.get())?;
-        at_least_zero("velocity_sigma", params.velocity_sigma.get())?;
-        at_least_zero("heading_sigma", params.heading_sigma.get())?;
-        positive("sensor_period", params.sensor_period.get())?;
-        positive("radio_period", params.radio_period.get())?;
+        at_least_zero("max_speed", params.max_speed)?;
+        at_least_zero("velocity_sigma", params.velocity_sigma)?;
+        at_least_zero("heading_sigma", params.heading_sigma)?;
+        positive("sensor_period", params.sensor_period)?;
+        positive("radio_period", params.radio_period)?;
 
         let mut phases = kit.stream("phase");
         let compass = kit.optional_sensor("compass")?;

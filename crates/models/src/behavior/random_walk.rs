@@ -40,9 +40,9 @@ impl Behavior for RandomWalkBee {
     type Params = RandomWalkBeeParams;
 
     fn build(params: RandomWalkBeeParams, _kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-        at_least_zero("max_speed", params.max_speed.get())?;
-        at_least_zero("velocity_sigma", params.velocity_sigma.get())?;
-        at_least_zero("heading_sigma", params.heading_sigma.get())?;
+        at_least_zero("max_speed", params.max_speed)?;
+        at_least_zero("velocity_sigma", params.velocity_sigma)?;
+        at_least_zero("heading_sigma", params.heading_sigma)?;
         Ok(Self { params })
     }
 

@@ -37,7 +37,7 @@ impl Sensor for Compass {
     type Reading = Heading;
 
     fn build(params: CompassParams) -> Result<Self, BuildError> {
-        at_least_zero("sigma", params.sigma.get())?;
+        at_least_zero("sigma", params.sigma)?;
         Ok(Self {
             sigma: params.sigma,
         })

@@ -36,14 +36,14 @@ impl Sensor for PositionSensor {
     type Reading = Position;
 
     fn build(params: PositionSensorParams) -> Result<Self, BuildError> {
-        at_least_zero("sigma", params.sigma.get())?;
+        at_least_zero("sigma", params.sigma)?;
         Ok(Self {
             sigma: params.sigma,
         })
     }
 
     fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Position {
-        let error = DVec3::new(rng.normal(), rng.normal(), rng.normal()) * self.sigma.get();
-        Position::from_si(truth.sensor_pose().position.si() + error)
+        let error = DVec3::new(rng.normal(), rng.normal(), rng.normal());
+        truth.sensor_pose().position + Position::from_si(error * self.sigma.metres())
     }
 }

@@ -18,10 +18,10 @@
 use glam::DVec3;
 use simbeeotic_model::check::{at_least_zero, in_range, positive};
 use simbeeotic_model::kernel::{SimTime, Stream};
-use simbeeotic_model::physics::{BodySpec, Contacts, Material, Shape, group};
+use simbeeotic_model::physics::{BodySpec, Contacts, Material, Shape, group, limits};
 use simbeeotic_model::units::{
-    Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, ForceVec, Length, Mass, Position,
-    Rate, Time, V3, Velocity, Yaw, math,
+    Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, Force, ForceVec, Length, Mass,
+    Position, Rate, Time, V3, Velocity, Yaw, math,
 };
 use simbeeotic_model::{
     BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
@@ -77,9 +77,12 @@ pub struct SimpleBeeParams {
     pub contacts: ContactMode,
     /// Whether bees touch each other too, and not only the ground.
     pub bee_collisions: bool,
-    /// Fraction of the approach speed that is left after a bounce, 0 to 1.
+    /// Restitution of the surface, 0 to 1. The fraction of the approach speed that is left after a
+    /// bounce is the geometric mean of this and the other surface's: on a ground without
+    /// restitution of its own (0 unless the scenario says otherwise) nothing bounces.
     pub restitution: f64,
-    /// Coulomb friction at a touch.
+    /// Coulomb friction of the surface; at a touch the geometric mean of this and the other
+    /// surface's (the ground's is 0.5 unless the scenario says otherwise).
     pub friction: f64,
 }
 
@@ -123,32 +126,49 @@ impl Vehicle for SimpleBee {
 
     fn build(params: SimpleBeeParams, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
         let p = &params;
-        positive("length", p.length.get())?;
-        positive("mass", p.mass.get())?;
-        positive("max_acceleration", p.max_acceleration.get())?;
-        positive("control_period", p.control_period.get())?;
-        positive("response_time", p.response_time.get())?;
-        at_least_zero("hover_current", p.hover_current.get())?;
-        at_least_zero("actuation_current", p.actuation_current.get())?;
-        at_least_zero("turn_sigma", p.turn_sigma.get())?;
-        at_least_zero("direction_sigma", p.direction_sigma.get())?;
+        let (lightest, heaviest) = limits::MASS_KG_RANGE;
+        in_range("mass", p.mass, Mass::si(lightest)..=Mass::si(heaviest))?;
+        positive("length", p.length)?;
+        let longest = Length::si(2.0 * limits::EXTENT_M_MAX);
+        in_range("length", p.length, Length::ZERO..=longest)?;
+        positive("max_acceleration", p.max_acceleration)?;
+        let hardest = Acceleration::si(limits::ACCELERATION_M_S2_MAX);
+        in_range(
+            "max_acceleration",
+            p.max_acceleration,
+            Acceleration::ZERO..=hardest,
+        )?;
+        positive("control_period", p.control_period)?;
+        positive("response_time", p.response_time)?;
+        at_least_zero("hover_current", p.hover_current)?;
+        at_least_zero("actuation_current", p.actuation_current)?;
+        at_least_zero("turn_sigma", p.turn_sigma)?;
+        at_least_zero("direction_sigma", p.direction_sigma)?;
         at_least_zero("speed_sigma", p.speed_sigma)?;
         at_least_zero("drag_coefficient", p.drag_coefficient)?;
-        at_least_zero("friction", p.friction)?;
+        in_range("friction", p.friction, 0.0..=limits::FRICTION_MAX)?;
         in_range("restitution", p.restitution, 0.0..=1.0)?;
         let errors = kit.stream("actuation");
-        Ok(Self {
+        let bee = Self {
             params,
             errors,
             since: SimTime::ZERO,
             effort_m_s2: 0.0,
             hovering: false,
-        })
+        };
+        // What is left is their moment of inertia.
+        match bee.body().check() {
+            Ok(()) => Ok(bee),
+            Err(error) => Err(BuildError::parameter(
+                "length",
+                format!("does not go with the mass: {error}"),
+            )),
+        }
     }
 
     fn body(&self) -> BodySpec {
         let p = &self.params;
-        let radius = 0.5 * p.length.get();
+        let radius = 0.5 * p.length.metres();
         let mask = if p.bee_collisions {
             group::ALL
         } else {
@@ -167,7 +187,7 @@ impl Vehicle for SimpleBee {
             },
             group: group::BEE,
             mask,
-            ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.get())
+            ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.kilograms())
         }
     }
 
@@ -191,29 +211,29 @@ impl Vehicle for SimpleBee {
             ForceVec::ZERO
         };
         let effort = if !setpoint.hovering && setpoint.velocity == Velocity::ZERO {
-            Accel::ZERO // it lets itself fall
+            Accel::<Enu>::ZERO // it lets itself fall
         } else {
             let wanted = platform
                 .attitude()
                 .rotate(self.with_errors(setpoint.velocity));
-            let lag = (wanted - platform.velocity()).si() / self.params.response_time.get();
-            let wind = wind.si() / mass.get();
-            Accel::<Enu>::from_si(lag - wind).limit(self.params.max_acceleration)
+            let lag = (wanted - platform.velocity()) / self.params.response_time;
+            let wind = wind / mass;
+            (lag - wind).limit(self.params.max_acceleration)
         };
 
         self.effort_m_s2 = effort.si().length();
         self.hovering = setpoint.hovering;
         let weight = if setpoint.hovering {
-            mass.get() * platform.gravity().get()
+            mass * platform.gravity()
         } else {
-            0.0
+            Force::ZERO
         };
-        let force = mass.get() * effort.si() + DVec3::new(0.0, 0.0, weight) + wind.si();
-        platform.set_force(ForceVec::from_si(force));
+        let weight = ForceVec::<Enu>::new(Force::ZERO, Force::ZERO, weight);
+        platform.set_force(effort * mass + weight + wind);
     }
 
     fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
-        let error = self.params.turn_sigma * self.noise(self.params.turn_sigma.get());
+        let error = self.params.turn_sigma * self.noise(self.params.turn_sigma);
         let yaw = platform.attitude().yaw().angle() + angle + error;
         platform.set_attitude(Attitude::from_yaw(Yaw::new(yaw)));
         platform.set_rate(Rate::ZERO);
@@ -245,7 +265,7 @@ impl SimpleBee {
         if self.hovering {
             platform.draw(Consumer::Hover, self.params.hover_current * span);
         }
-        let share = self.effort_m_s2 / self.params.max_acceleration.get();
+        let share = self.effort_m_s2 / self.params.max_acceleration.metres_per_second_squared();
         platform.draw(
             Consumer::Actuation,
             self.params.actuation_current * span * share,
@@ -255,7 +275,7 @@ impl SimpleBee {
     /// Drag of the air that moves past the body: `½ ρ C_d A |u| u`, u relative to the body.
     fn wind_force(&self, platform: &Platform<'_>) -> ForceVec<Enu> {
         let u = (platform.wind() - platform.velocity()).si();
-        let radius = 0.5 * self.params.length.get();
+        let radius = 0.5 * self.params.length.metres();
         let area = std::f64::consts::PI * radius * radius;
         let density = platform.air_density().get();
         ForceVec::from_si(u * (0.5 * density * self.params.drag_coefficient * area * u.length()))
@@ -263,7 +283,10 @@ impl SimpleBee {
 
     /// What is really flown when `wanted` is asked for.
     fn with_errors(&mut self, wanted: Velocity<Flu>) -> Velocity<Flu> {
-        let (direction, speed) = (self.params.direction_sigma.get(), self.params.speed_sigma);
+        let (direction, speed) = (
+            self.params.direction_sigma.radians(),
+            self.params.speed_sigma,
+        );
         let mut flown = wanted;
         if direction > 0.0 {
             let turn = DVec3::new(
@@ -281,8 +304,8 @@ impl SimpleBee {
     }
 
     /// A normal draw, or nothing (and no draw) when sigma is zero.
-    fn noise(&mut self, sigma: f64) -> f64 {
-        if sigma > 0.0 {
+    fn noise(&mut self, sigma: Angle) -> f64 {
+        if sigma > Angle::ZERO {
             self.errors.normal()
         } else {
             0.0

@@ -89,7 +89,12 @@ fn wind_carries_what_cannot_push_back() {
     );
     let mut run = run_in(vec![plan], 600, Arc::new(EastWind), 1);
     run.run_until(SimTime::from_secs(600)).expect("it runs");
-    let speed = run.twist("bee").expect("a body").linear.east().get();
+    let speed = run
+        .twist("bee")
+        .expect("a body")
+        .linear
+        .east()
+        .metres_per_second();
     assert!(
         (1.0..3.0).contains(&speed),
         "it drifts with the wind and never faster: {speed} m/s"
@@ -126,10 +131,20 @@ fn the_velocity_answers_a_step_by_one_minus_nine_tenths_to_the_n() {
         // Just before step n: n steps have acted for 0.1 s each.
         run.run_until(SimTime::from_millis(100 * n - 1))
             .expect("it runs");
-        let before = run.twist("bee").expect("a body").linear.east().get();
+        let before = run
+            .twist("bee")
+            .expect("a body")
+            .linear
+            .east()
+            .metres_per_second();
         run.run_until(SimTime::from_millis(100 * n))
             .expect("it runs");
-        let speed = run.twist("bee").expect("a body").linear.east().get();
+        let speed = run
+            .twist("bee")
+            .expect("a body")
+            .linear
+            .east()
+            .metres_per_second();
         assert!((speed - (1.0 - missing)).abs() < 1e-12, "step {n}: {speed}");
         assert!(before < speed);
     }

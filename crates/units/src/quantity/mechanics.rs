@@ -87,6 +87,16 @@ vector_quantity! {
 }
 
 vector_quantity! {
+    /// An impulse, inside in newton seconds: a force times the time it acts, or the change of a
+    /// mass's velocity times the mass.
+    Impulse = "an impulse" {
+        "N s": Scale::ONE => from_newton_seconds, newton_seconds;
+        "mN s": Scale::over(1e3);
+        "uN s": Scale::over(1e6);
+    }
+}
+
+vector_quantity! {
     /// A torque, inside in newton metres.
     ///
     /// It has the dimension of an energy and is none: make one with [`Force::torque`].

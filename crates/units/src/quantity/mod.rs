@@ -44,7 +44,7 @@ pub use decibels::{Decibels, PowerLevel};
 pub use electricity::{Charge, Current, Energy, Power, Voltage};
 pub use kind::{Quantity, Scale, Unit, VectorQuantity};
 pub use mechanics::{
-    Acceleration, Angle, AngularRate, Area, Force, Length, Mass, Speed, Time, Torque,
+    Acceleration, Angle, AngularRate, Area, Force, Impulse, Length, Mass, Speed, Time, Torque,
 };
 pub use parse::QuantityError;
 pub use signal::{DataRate, Frequency};

@@ -2,7 +2,7 @@
 
 use super::{
     Acceleration, Angle, AngularRate, Area, Charge, Current, DataRate, Energy, Force, Frequency,
-    Length, Mass, Power, Pressure, Speed, Time, Torque, Voltage,
+    Impulse, Length, Mass, Power, Pressure, Speed, Time, Torque, Voltage,
 };
 use std::ops::{Div, Mul};
 
@@ -33,6 +33,8 @@ product!(Speed * Time = Length);
 product!(Acceleration * Time = Speed);
 product!(AngularRate * Time = Angle);
 product!(Mass * Acceleration = Force);
+product!(Force * Time = Impulse);
+product!(Mass * Speed = Impulse);
 product!(Force * Length = Energy);
 product!(Force * Speed = Power);
 product!(Torque * AngularRate = Power);
@@ -108,6 +110,9 @@ mod tests {
         let weight: Force = Mass::from_grams(100.0) * Acceleration::si(9.8);
         assert!((weight.newtons() - 0.98).abs() < 1e-15);
         let work: Energy = weight * way;
+        let push: Impulse = weight * time;
+        let gained: Speed = push / Mass::from_grams(100.0);
+        assert!((gained / (Acceleration::si(9.8) * time) - 1.0).abs() < 1e-15);
         let power: Power = work / time;
         assert!((power / (weight * speed) - 1.0).abs() < 1e-15);
         let area: Area = way * way;

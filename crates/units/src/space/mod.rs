@@ -23,4 +23,4 @@ pub use attitude::Attitude;
 pub use direction::{Heading, Yaw};
 pub use frame::{Enu, Flu, Frame};
 pub use pose::{Mount, Pose, Twist, Wrench};
-pub use vector::{Accel, ForceVec, Offset, Position, Rate, TorqueVec, V3, Velocity};
+pub use vector::{Accel, ForceVec, ImpulseVec, Offset, Position, Rate, TorqueVec, V3, Velocity};

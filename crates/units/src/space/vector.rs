@@ -3,7 +3,8 @@
 use super::{Enu, Flu, Frame};
 use crate::quantity::print::Number;
 use crate::quantity::{
-    Acceleration, AngularRate, Force, Length, Quantity, Speed, Torque, VectorQuantity, serial,
+    Acceleration, AngularRate, Force, Impulse, Length, Quantity, Speed, Torque, VectorQuantity,
+    serial,
 };
 use glam::DVec3;
 use serde::de::{self, SeqAccess};
@@ -26,6 +27,8 @@ pub type Accel<F> = V3<Acceleration, F>;
 pub type Rate<F> = V3<AngularRate, F>;
 /// A force, written in the axes of `F`.
 pub type ForceVec<F> = V3<Force, F>;
+/// An impulse, written in the axes of `F`.
+pub type ImpulseVec<F> = V3<Impulse, F>;
 /// A torque about the centre of mass, written in the axes of `F`.
 pub type TorqueVec<F> = V3<Torque, F>;
 
@@ -131,15 +134,24 @@ impl<Q: VectorQuantity, F> V3<Q, F> {
 
     /// This vector, shortened to `most` if it is longer, in the same direction.
     ///
-    /// Zero if `most` is negative.
+    /// Zero if `most` is negative; unchanged if a component is infinite or NaN.
     #[inline]
     #[must_use]
     pub fn limit(self, most: Q) -> Self {
         let (length, most) = (self.si.length(), most.to_si().max(0.0));
-        if length > most {
+        if length <= most || !self.si.is_finite() {
+            self
+        } else if length.is_finite() {
             Self::from_si(self.si * (most / length))
         } else {
-            self
+            // The squares overflow, and the vector does not: scaled to 1, its length is a number.
+            let scaled = self.si / self.si.abs().max_element();
+            let length = scaled.length();
+            if length * self.si.abs().max_element() <= most {
+                self
+            } else {
+                Self::from_si(scaled * (most / length))
+            }
         }
     }
 }
@@ -466,6 +478,8 @@ mod tests {
         assert_eq!(back, v);
         let force: ForceVec<Enu> = Mass::si(0.5) * (v / dt);
         assert_eq!(force, ForceVec::from_xyz(0.25, 0.5, 0.75));
+        let push: ImpulseVec<Enu> = Mass::si(0.5) * v;
+        assert_eq!((push, push / dt), (force * dt, force));
         let turn: V3<Angle, Flu> = Rate::from_xyz(0.0, 0.0, 1.5) * dt;
         assert_eq!(turn.up(), Angle::si(3.0));
     }
@@ -478,6 +492,21 @@ mod tests {
         assert_eq!(v.limit(Speed::ZERO), Velocity::ZERO);
         assert_eq!(v.limit(Speed::si(-1.0)), Velocity::ZERO);
         assert_eq!(Velocity::<Flu>::ZERO.limit(Speed::ZERO), Velocity::ZERO);
+    }
+
+    #[test]
+    fn limit_shortens_what_is_too_long_to_square() {
+        let v = Velocity::<Flu>::from_xyz(3e300, -4e300, 0.0).limit(Speed::si(2.5));
+        assert!(v.si().abs_diff_eq(DVec3::new(1.5, -2.0, 0.0), 1e-15), "{v}");
+        let most = Velocity::<Flu>::from_xyz(f64::MAX, f64::MAX, f64::MAX).limit(Speed::si(1.0));
+        assert!((most.length() - Speed::si(1.0)).abs() < Speed::si(1e-15));
+        let long = Velocity::<Flu>::from_xyz(1e200, 0.0, 0.0);
+        assert_eq!(long.limit(Speed::si(1e201)), long);
+        assert!(
+            !Velocity::<Flu>::from_xyz(f64::NAN, 0.0, 0.0)
+                .limit(Speed::si(1.0))
+                .is_finite()
+        );
     }
 
     #[test]

@@ -73,7 +73,7 @@ macro_rules! each_quantity {
 
 each_quantity! {
     Acceleration Angle AngularRate Area Charge Current DataRate Decibels Density Energy Force
-    Frequency Length Mass Power PowerLevel Pressure Speed Temperature Time Torque Voltage
+    Frequency Impulse Length Mass Power PowerLevel Pressure Speed Temperature Time Torque Voltage
 }
 
 proptest! {
