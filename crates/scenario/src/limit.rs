@@ -22,5 +22,8 @@ pub const MODEL_BYTES: u64 = 1_200;
 /// Where a model may start: so far from the origin along each axis, at most, in metres.
 pub const START_M_MAX: f64 = 1e7;
 
+/// How far from the middle of a body its gear may sit, along each axis, in metres.
+pub const MOUNT_M_MAX: f64 = 1e3;
+
 /// Most faults that are shown; the rest is counted.
 pub const FAULTS_SHOWN: usize = 60;

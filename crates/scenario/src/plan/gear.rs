@@ -3,6 +3,7 @@
 use super::section::{Section, read, table_help};
 use super::shared::choice;
 use super::{Choice, part};
+use crate::limit::MOUNT_M_MAX;
 use simbeeotic_model::config::{Fault, Node, Table};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
@@ -156,6 +157,12 @@ fn mount(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Mount> {
     };
     let mut section = Section::open(node, "a mount", faults)?;
     let position: Option<Offset> = section.read("position", faults);
+    if let (Some(offset), Some(node)) = (position, section.get("position"))
+        && offset.si().abs().max_element() > MOUNT_M_MAX
+    {
+        let message = format!("gear sits within {MOUNT_M_MAX} m of its body's middle");
+        faults.push(Fault::error(node.span, message));
+    }
     let attitude: Option<Attitude> = section.read("attitude", faults);
     let pointing = section.entry("pointing");
     let pointed = pointing.map(|(key, node)| {

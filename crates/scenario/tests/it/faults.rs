@@ -116,6 +116,18 @@ fn the_name_of_a_part_where_its_table_is_wanted_shows_the_table() {
 }
 
 #[test]
+fn gear_that_sits_too_far_away_shows_its_place() {
+    let radio = "{ use = \"cc2420\", mount = { position = [\"0 m\", \"0 m\", \"2 km\"] } }";
+    let said = with(&format!(
+        "model = [{{ use = \"instrument-bee\", radio = {radio} }}]"
+    ));
+    assert!(
+        said.contains("gear sits within 1000 m") && said.contains("x.toml:1:"),
+        "{said}"
+    );
+}
+
+#[test]
 fn a_start_of_nothing_shows_its_place() {
     let said = with("model = [{ use = \"inert-bee\", start = [] }]");
     assert!(
