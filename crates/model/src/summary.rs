@@ -2,13 +2,15 @@
 
 use crate::component::Note;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The numbers of one run. Wall-clock figures differ from run to run; all else repeats.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Summary {
     /// The scenario's name.
     pub scenario: String,
-    /// The master seed.
+    /// The master seed. Serialised with its sign, as files have it: the same 64 bits.
+    #[serde(serialize_with = "signed")]
     pub seed: u64,
     /// Number of models.
     pub models: usize,
@@ -36,8 +38,8 @@ pub struct Summary {
     pub touches: u64,
     /// Radio packets.
     pub packets: Packets,
-    /// Charge drawn by all platforms.
-    pub charge: Vec<ChargeLine>,
+    /// Charge drawn by all platforms, by consumer (see [`Consumer::name`](crate::Consumer::name)).
+    pub charge: BTreeMap<String, ChargeLine>,
     /// How late a paced run was; absent when it ran as fast as it could.
     pub lateness: Option<Lateness>,
     /// Hash of everything that happened: equal hashes, equal runs.
@@ -71,14 +73,12 @@ pub struct Packets {
     /// Receptions handed to behaviours.
     pub received: u64,
     /// Receptions lost, by reason.
-    pub lost: Vec<(String, u64)>,
+    pub lost: BTreeMap<String, u64>,
 }
 
 /// Charge drawn by one kind of consumer.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct ChargeLine {
-    /// The consumer.
-    pub consumer: &'static str,
     /// Charge, mA·s.
     pub milliampere_seconds: f64,
 }
@@ -90,4 +90,9 @@ pub struct Lateness {
     pub late: u64,
     /// The worst.
     pub max_ms: f64,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn signed<S: serde::Serializer>(seed: &u64, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_i64(seed.cast_signed())
 }

@@ -328,9 +328,12 @@ impl Simulation {
             packets: packets(swarm),
             charge: Consumer::ALL
                 .into_iter()
-                .map(|consumer| ChargeLine {
-                    consumer: consumer.name(),
-                    milliampere_seconds: total.drawn(consumer).get() * 1e3,
+                .map(|consumer| {
+                    let milliampere_seconds = total.drawn(consumer).get() * 1e3;
+                    let line = ChargeLine {
+                        milliampere_seconds,
+                    };
+                    (consumer.name().to_owned(), line)
                 })
                 .collect(),
             lateness: engine.control().factor().map(|_| Lateness {

@@ -22,7 +22,8 @@ First steps:
   simbeeotic describe instrument-bee             a part's parameters, with units and defaults
   simbeeotic new my-swarm                        a crate for a behaviour of your own
 
-Exit codes: 0 all went well, 1 a run failed, 2 the input is wrong.";
+Exit codes: 0 all went well; 1 a run failed, or output could not be written; 2 the input is wrong;
+130 the run was interrupted (Ctrl-C, SIGTERM): its recording is closed, its summary shown.";
 
 #[derive(Subcommand)]
 pub(super) enum Command {
@@ -99,11 +100,11 @@ pub(super) struct ScenarioOptions {
     /// Override any value of the scenario; may be given many times
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub(super) sets: Vec<String>,
-    /// Master seed [default: the scenario's]
-    #[arg(long)]
-    pub(super) seed: Option<u64>,
+    /// Master seed, a whole number [default: the scenario's]
+    #[arg(long, allow_negative_numbers = true)]
+    pub(super) seed: Option<i64>,
     /// When the run ends, with a unit: "10 s" [default: the scenario's]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) end_time: Option<String>,
 }
 
@@ -112,15 +113,15 @@ pub(super) struct RunOptions {
     #[command(flatten)]
     pub(super) scenario: ScenarioOptions,
     /// Threads that run models; the trace is the same for any number [default: one for each core]
-    #[arg(long)]
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
     pub(super) threads: Option<usize>,
     /// Run at most this many times faster than the wall clock [default: as fast as it can]
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
     pub(super) real_time: Option<f64>,
     /// End the run after this much wall time, with a unit: "10 min"
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) wall_time: Option<String>,
-    /// Record to this file, whatever the scenario says
+    /// Record to this file, with the settings of the scenario's recorder if it has one
     #[arg(long, value_name = "FILE", conflicts_with = "no_record")]
     pub(super) record: Option<PathBuf>,
     /// Do not record, whatever the scenario says
@@ -172,10 +173,10 @@ pub(super) struct ExportOptions {
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) every: u64,
     /// Only ticks from this time on: "10 s"
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) from: Option<String>,
     /// Only ticks up to this time: "20 s"
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) to: Option<String>,
 }
 
@@ -185,13 +186,24 @@ pub(super) struct BenchOptions {
     #[arg(value_parser = ["fig7"])]
     pub(super) experiment: String,
     /// Swarm sizes
-    #[arg(long, value_delimiter = ',', default_value = "1000,3000,10000,30000")]
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "1000,3000,10000,30000",
+        value_parser = swarm_size,
+        allow_negative_numbers = true
+    )]
     pub(super) n: Vec<u32>,
     /// Virtual time of each run; the paper's is "100 s"
-    #[arg(long, default_value = "10 s", value_name = "TIME")]
+    #[arg(
+        long,
+        default_value = "10 s",
+        value_name = "TIME",
+        allow_hyphen_values = true
+    )]
     pub(super) duration: String,
     /// Threads that run models
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = threads, allow_negative_numbers = true)]
     pub(super) threads: usize,
     /// Start: paper (random in a 20 m cube) or density (one bee per 8 cubic metres)
     #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
@@ -205,4 +217,28 @@ pub(super) struct BenchOptions {
     /// Print the rows as JSON
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// More threads than this are a slip of the keyboard.
+const THREADS_MAX: usize = 4096;
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(threads) if (1..=THREADS_MAX).contains(&threads) => Ok(threads),
+        _ => Err(format!("threads lie between 1 and {THREADS_MAX}")),
+    }
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(factor),
+        _ => Err("a real-time factor is a number above zero, such as 1 or 2.5".to_owned()),
+    }
+}
+
+fn swarm_size(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(n) if n > 0 => Ok(n),
+        _ => Err("a swarm has one bee or more".to_owned()),
+    }
 }

@@ -1,7 +1,7 @@
 //! `bench`: the paper's experiments on this machine.
 
 use super::arguments::BenchOptions;
-use super::{Failure, input, remark, say};
+use super::{Failure, input, remark, say, show};
 use serde::Serialize;
 use simbeeotic_model::{Simulation, Summary};
 use simbeeotic_scenario::{Request, load_text};
@@ -29,9 +29,9 @@ pub(super) fn bench(options: &BenchOptions) -> Result<(), Failure> {
     let mut rows = Vec::new();
     if !options.json {
         remark(format!(
-            "figure 7: {} s virtual, {} threads, {} start, {} timers, contacts {}",
+            "figure 7: {} s virtual, {}, {} start, {} timers, contacts {}",
             duration.secs(),
-            options.threads,
+            show::threads(options.threads),
             options.start,
             options.phase,
             if options.no_contacts { "off" } else { "on" },
@@ -39,7 +39,7 @@ pub(super) fn bench(options: &BenchOptions) -> Result<(), Failure> {
         say(format!(
             "{:>8} {:>10} {:>10} {:>10} {:>10} {:>10} {:>9}",
             "n", "events s", "physics s", "radio s", "other s", "wall s", "speed"
-        ));
+        ))?;
     }
     for &n in &options.n {
         let row = measure(n, options)?;
@@ -47,13 +47,13 @@ pub(super) fn bench(options: &BenchOptions) -> Result<(), Failure> {
             say(format!(
                 "{:>8} {:>10.3} {:>10.3} {:>10.3} {:>10.3} {:>10.3} {:>8.1}x",
                 row.n, row.events_s, row.physics_s, row.radio_s, row.other_s, row.wall_s, row.speed
-            ));
+            ))?;
         }
         rows.push(row);
     }
     if options.json {
         match serde_json::to_string_pretty(&rows) {
-            Ok(text) => say(text),
+            Ok(text) => say(text)?,
             Err(e) => return Err(Failure::run(e)),
         }
     } else {

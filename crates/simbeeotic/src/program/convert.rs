@@ -1,50 +1,95 @@
 //! `convert`: the original's XML as TOML.
 
 use super::arguments::ConvertOptions;
-use super::{Failure, colour, remark, say};
-use simbeeotic_scenario::{convert_file, render};
+use super::{Failure, colour, input, remark, same_file, say};
+use simbeeotic_scenario::{Converted, convert_file, convert_world, render, xml};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Converts a scenario, and its world if one is given.
+/// Converts a scenario, and its world if one is given. Nothing is written before both are good.
 pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
-    let world = options
-        .world
-        .as_deref()
-        .map(|path| convert_one(path, options.output.as_deref()))
+    let rejected = |rejected| Failure::input(input::text_of(&rejected));
+    let world_path = options.world.as_deref();
+    for path in [Some(options.scenario.as_path()), world_path]
+        .into_iter()
+        .flatten()
+    {
+        refuse_toml(path)?;
+    }
+    let world = world_path
+        .map(|path| {
+            Ok((
+                beside(path, options)?,
+                convert_world(path).map_err(rejected)?,
+            ))
+        })
         .transpose()?;
-    let converted = convert_file(&options.scenario, world.as_deref()).map_err(|rejected| {
-        Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end())
-    })?;
+    let scenario = convert_file(&options.scenario, world_path).map_err(rejected)?;
+    if let Some(path) = &options.output {
+        keep_input(path, options)?;
+    }
+
+    if let Some((_, world)) = &world {
+        notes(world);
+    }
+    notes(&scenario);
+    if let Some((path, world)) = &world {
+        write(path, &world.toml)?;
+    }
+    match &options.output {
+        Some(path) => write(path, &scenario.toml),
+        None => say(scenario.toml.trim_end()),
+    }
+}
+
+fn refuse_toml(path: &Path) -> Result<(), Failure> {
+    // A file that cannot be read is told by who reads it in earnest.
+    match fs::read_to_string(path) {
+        Ok(text) if !xml::looks_like_xml(&text) => Err(Failure::input(format!(
+            "{} is TOML already; `convert` reads the original's XML",
+            path.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Where a world goes: beside the output, under its own name.
+fn beside(world: &Path, options: &ConvertOptions) -> Result<PathBuf, Failure> {
+    let output = options.output.as_deref();
+    let folder = output.and_then(Path::parent).unwrap_or(Path::new(""));
+    let name = world.file_name().unwrap_or(world.as_os_str());
+    let target = folder.join(name).with_extension("toml");
+    if target.exists() {
+        return Err(Failure::input(format!(
+            "the world goes to {}, which is there already",
+            target.display()
+        )));
+    }
+    if output == Some(&target) {
+        return Err(Failure::input(format!(
+            "the scenario and its world would both be {}; choose another name with -o",
+            target.display()
+        )));
+    }
+    Ok(target)
+}
+
+fn keep_input(target: &Path, options: &ConvertOptions) -> Result<(), Failure> {
+    let mut inputs = std::iter::once(&options.scenario).chain(&options.world);
+    if inputs.any(|input| same_file(input, target)) {
+        return Err(Failure::input(format!(
+            "{} is the file to convert; choose another name with -o",
+            target.display()
+        )));
+    }
+    Ok(())
+}
+
+fn notes(converted: &Converted) {
     let notes = render::faults(&converted.faults, &converted.sources, colour());
     if !notes.is_empty() {
         remark(notes.trim_end());
     }
-    match &options.output {
-        Some(path) => write(path, &converted.toml),
-        None => {
-            say(converted.toml.trim_end());
-            Ok(())
-        }
-    }
-}
-
-/// Converts a world file to one beside the output; returns its path.
-fn convert_one(world: &Path, output: Option<&Path>) -> Result<std::path::PathBuf, Failure> {
-    let folder = output.and_then(Path::parent).unwrap_or(Path::new(""));
-    let stem = world.file_stem().unwrap_or(world.as_os_str());
-    let target = folder.join(stem).with_extension("toml");
-    let converted = simbeeotic_scenario::convert_world(world).map_err(|rejected| {
-        Failure::input(render::faults(&rejected.faults, &rejected.sources, colour()).trim_end())
-    })?;
-    if target.exists() {
-        return Err(Failure::run(format!(
-            "{} is there already",
-            target.display()
-        )));
-    }
-    write(&target, &converted.toml)?;
-    Ok(target)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {

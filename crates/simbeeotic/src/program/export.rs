@@ -1,10 +1,11 @@
 //! `export`: a recording as a table.
 
 use super::arguments::{BESIDE, ExportOptions};
-use super::{Failure, input, remark, show};
+use super::{Failure, input, remark, same_file, show};
 use simbeeotic_kernel::SimTime;
-use simbeeotic_record::{ExportError, Exported, Recording, Selection, export_csv, export_parquet};
-use std::fs::File;
+use simbeeotic_record::{
+    ExportError, Exported, Recording, Selection, export_csv, export_csv_file, export_parquet,
+};
 use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::num::NonZeroU64;
 use std::path::Path;
@@ -35,16 +36,16 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
             };
         }
         (Some(path), _) => {
-            let file = File::create(path)
-                .map_err(|e| Failure::run(format!("cannot write {}: {e}", path.display())))?;
+            keep_recording(options, path)?;
             (
-                export_csv(&recording, &selection, &mut BufWriter::new(file)).map_err(failed)?,
+                export_csv_file(&recording, &selection, path).map_err(failed)?,
                 path.clone(),
             )
         }
         (None, parquet) => {
             let named = parquet.clone().filter(|p| p != Path::new(BESIDE));
             let path = named.unwrap_or_else(|| options.recording.with_extension("parquet"));
+            keep_recording(options, &path)?;
             (
                 export_parquet(&recording, &selection, &path).map_err(failed)?,
                 path,
@@ -52,6 +53,17 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
         }
     };
     report(&exported, &target);
+    Ok(())
+}
+
+/// A table must not replace the recording that it comes from.
+fn keep_recording(options: &ExportOptions, target: &Path) -> Result<(), Failure> {
+    if same_file(&options.recording, target) {
+        return Err(Failure::input(format!(
+            "{} is the recording itself; choose another name for the table",
+            target.display()
+        )));
+    }
     Ok(())
 }
 
@@ -81,9 +93,18 @@ fn selection(options: &ExportOptions) -> Result<Selection, Failure> {
     };
     let every = NonZeroU64::new(options.every)
         .ok_or_else(|| Failure::input("--every 0: it must be one or more"))?;
+    let from = nanos("--from", &options.from, 0)?;
+    let to = nanos("--to", &options.to, u64::MAX)?;
+    if from > to {
+        return Err(Failure::input(format!(
+            "--from {} is after --to {}: there is nothing between them",
+            SimTime::from_nanos(from),
+            SimTime::from_nanos(to)
+        )));
+    }
     Ok(Selection {
         every,
         models: options.model.iter().cloned().collect(),
-        times_ns: nanos("--from", &options.from, 0)?..=nanos("--to", &options.to, u64::MAX)?,
+        times_ns: from..=to,
     })
 }

@@ -3,7 +3,6 @@
 use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
 use crate::library;
-use simbeeotic_model::config::{Key, Node, Span, Table, Value};
 use simbeeotic_model::{Setup, SetupError};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, render};
 use simbeeotic_units::Time;
@@ -60,21 +59,6 @@ pub(super) fn time(option: &str, text: &str) -> Result<Time, Failure> {
         ))),
         Err(e) => Err(Failure::input(format!("{option}: {e}"))),
     }
-}
-
-/// A section with text entries, as if it stood in a file.
-pub(super) fn table<const N: usize>(entries: [(&str, String); N]) -> Node {
-    let mut table = Table::default();
-    for (key, text) in entries {
-        table.insert(
-            Key {
-                text: key.to_owned(),
-                span: Span::default(),
-            },
-            Node::string(Span::default(), text),
-        );
-    }
-    Node::new(Span::default(), Value::Table(table))
 }
 
 /// A point of time in an argument: zero is allowed.

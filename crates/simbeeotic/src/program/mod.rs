@@ -24,7 +24,8 @@ mod show;
 use arguments::{Arguments, Command};
 use clap::Parser;
 use std::fmt::Display;
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 // A crate that nobody mentions is not linked, and its parts would be missing from the shelf.
@@ -32,8 +33,8 @@ use simbeeotic_models as _;
 
 /// Runs the program on the process's arguments.
 ///
-/// Exit codes: 0, all went well; 1, a run failed or a file could not be written; 2, the input or
-/// the arguments are wrong.
+/// Exit codes: 0, all went well; 1, a run failed or output could not be written; 2, the input or
+/// the arguments are wrong; 130, the run was interrupted.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let result = match arguments.command {
@@ -83,11 +84,30 @@ impl Failure {
             code: 1,
         }
     }
+
+    /// The user ended the run, and has seen what came of it: 128 and the number of SIGINT.
+    fn interrupted() -> Self {
+        Self {
+            message: String::new(),
+            code: 130,
+        }
+    }
 }
 
 /// Prints on standard output. A reader that has gone away (`| head`) is no error.
-fn say(text: impl Display) {
-    let _ = writeln!(std::io::stdout().lock(), "{text}");
+fn say(text: impl Display) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match writeln!(out, "{text}").and_then(|()| out.flush()) {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(format!(
+            "cannot write to standard output: {e}"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Whether two paths lead to one file that is there, whatever they are called.
+fn same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// Prints on standard error, as an error unless it says already what it is.

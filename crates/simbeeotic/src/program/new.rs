@@ -46,8 +46,7 @@ pub(super) fn new(name: &str, path: Option<&Path>, library: Option<&Path>) -> Re
     say(format!(
         "made {0}: a behaviour, a scenario, a test\n\n  cd {0}\n  cargo test\n  cargo run -- run scenarios/orbit.toml\n",
         folder.display()
-    ));
-    Ok(())
+    ))
 }
 
 /// Cargo's rules for a package name, and a bit stricter: it becomes a Rust path too.
@@ -56,25 +55,30 @@ fn check_name(name: &str) -> Result<(), Failure> {
         && name
             .chars()
             .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_');
-    let taken = [
-        "simbeeotic",
-        "test",
-        "core",
-        "std",
-        "alloc",
-        "self",
-        "super",
-        "crate",
-    ];
-    if fits && !taken.contains(&name) {
-        Ok(())
-    } else {
-        let message = format!(
+    if !fits {
+        return Err(Failure::input(format!(
             "`{name}` cannot name a crate: use small letters, digits and dashes, such as my-swarm"
-        );
-        Err(Failure::input(message))
+        )));
     }
+    if RESERVED.contains(&name) {
+        return Err(Failure::input(format!(
+            "`{name}` is reserved: Rust, Cargo or Simbeeotic uses that name itself; choose another, such as my-{name}"
+        )));
+    }
+    Ok(())
 }
+
+/// Crates that are there already, folders that Cargo makes, and Rust's keywords.
+#[rustfmt::skip]
+const RESERVED: [&str; 65] = [
+    "simbeeotic", "test", "core", "std", "alloc", "proc_macro", "proc-macro",
+    "deps", "examples", "build", "incremental",
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+    "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
+    "union", "unsafe", "unsized", "use", "virtual", "where", "while", "yield", "raw", "safe",
+];
 
 /// Where the new crate finds Simbeeotic: the folder this program was built from, unless told.
 fn dependency(library: Option<&Path>) -> Result<String, Failure> {

@@ -2,11 +2,14 @@
 
 use super::arguments::{RunOptions, ScenarioOptions};
 use super::input::{self, time};
-use super::{Failure, remark, say, show};
+use super::{Failure, remark, same_file, say, show};
+use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
-use simbeeotic_model::{Setup, Simulation};
+use simbeeotic_model::{Setup, Simulation, SimulationError};
 use simbeeotic_scenario::Loaded;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// Runs a scenario.
@@ -28,7 +31,7 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
         let wall = time("--wall-time", text)?;
         setup.limits.wall = std::time::Duration::try_from_secs_f64(wall.get()).ok();
     }
-    choose_recording(&mut setup, &options)?;
+    choose_recording(&mut setup, &loaded, &options)?;
     if options.log {
         setup
             .components
@@ -39,58 +42,108 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     simulation.add_init_time(before_s);
 
     let bar = (!options.quiet).then(|| show::Bar::start(simulation.progress(), simulation.end()));
-    stop_on_interrupt(&simulation);
+    let interrupted = stop_on_interrupt(&simulation);
     let outcome = simulation.run();
     drop(bar);
 
-    if options.json {
-        match serde_json::to_string_pretty(&outcome.summary) {
+    let summary = &outcome.summary;
+    if let Some(SimulationError::Component(error)) = &outcome.error
+        && summary.events == 0
+    {
+        // A component did not start: there was no run, and there is nothing to sum up.
+        return Err(Failure::input(error));
+    }
+    let ended = match &outcome.error {
+        // It is shown below.
+        Some(_) => "failed",
+        None => &summary.ended,
+    };
+    let said = if options.json {
+        match serde_json::to_string_pretty(summary) {
             Ok(text) => say(text),
-            Err(e) => return Err(Failure::run(format!("cannot write the summary: {e}"))),
+            Err(e) => Err(Failure::run(format!("cannot write the summary: {e}"))),
         }
     } else if !options.quiet {
-        say(show::summary(&outcome.summary).trim_end());
-    }
+        say(show::summary(summary, ended).trim_end())
+    } else {
+        Ok(())
+    };
     match outcome.error {
         Some(error) => Err(Failure::run(error)),
-        None => Ok(()),
+        None => said,
+    }?;
+    if summary.ended == INTERRUPTED && interrupted.load(Ordering::Relaxed) {
+        return Err(Failure::interrupted());
     }
+    Ok(())
 }
 
-/// Ctrl-C ends the run after the present instant, with its recording closed and its summary shown.
-fn stop_on_interrupt(simulation: &Simulation) {
+/// Why an interrupted run ended, in its summary.
+const INTERRUPTED: &str = "interrupted";
+
+/// Ctrl-C and SIGTERM end the run after the present instant, with its recording closed and its
+/// summary shown; a second one ends the program at once. Tells whether there was one.
+fn stop_on_interrupt(simulation: &Simulation) -> Arc<AtomicBool> {
     let control = simulation.control();
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
     // Without a handler, Ctrl-C just ends the program; the recording still reads.
-    let _ = ctrlc::set_handler(move || control.stop("interrupted"));
+    let _ = ctrlc::set_handler(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+        control.stop(INTERRUPTED);
+    });
+    interrupted
 }
 
 /// `--record FILE` and `--no-record` overrule the scenario's recorders.
-fn choose_recording(setup: &mut Setup, options: &RunOptions) -> Result<(), Failure> {
+fn choose_recording(
+    setup: &mut Setup,
+    loaded: &Loaded,
+    options: &RunOptions,
+) -> Result<(), Failure> {
     if options.no_record {
-        setup.components.retain(|(name, _)| name != "recorder");
+        setup.components.retain(|(name, _)| name != RECORDER);
     }
     let Some(path) = &options.record else {
         return Ok(());
     };
-    let component = recorder(path)?;
-    setup.components.retain(|(name, _)| name != "recorder");
-    setup.components.push(("recorder".to_owned(), component));
+    let scenario = &options.scenario;
+    let mut inputs = std::iter::once(&scenario.scenario).chain(&scenario.world);
+    if inputs.any(|input| same_file(input, path)) {
+        return Err(Failure::input(format!(
+            "--record {}: this is an input of the run",
+            path.display()
+        )));
+    }
+    let component = recorder(path, loaded)?;
+    setup.components.retain(|(name, _)| name != RECORDER);
+    setup.components.push((RECORDER.to_owned(), component));
     Ok(())
 }
 
-fn recorder(path: &Path) -> Result<Box<dyn simbeeotic_model::Component>, Failure> {
-    let part = registry::find(Kind::Component, "recorder").map(|p| p.make);
+/// The recorder's name on the shelf.
+const RECORDER: &str = "recorder";
+
+/// A recorder that writes to `path`; all else is as the scenario's first recorder has it.
+fn recorder(path: &Path, loaded: &Loaded) -> Result<Box<dyn simbeeotic_model::Component>, Failure> {
+    let part = registry::find(Kind::Component, RECORDER).map(|p| p.make);
     let Some(Make::Component(make)) = part else {
         return Err(Failure::run("this program has no recorder"));
     };
-    make(&input::table([("path", path.display().to_string())])).map_err(|faults| {
-        Failure::input(
-            faults
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .join("\n"),
-        )
+    let mut choices = loaded.plan().components.iter();
+    let choice = choices.find(|choice| choice.part.label.name == RECORDER);
+    let mut params = choice.map_or_else(|| Node::table(Span::default()), |c| c.params.clone());
+    if let Some(table) = params.as_table_mut() {
+        table.set(
+            "path",
+            Node::string(Span::default(), path.display().to_string()),
+        );
+    }
+    make(&params).map_err(|faults| {
+        let lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        Failure::input(lines.join("\n"))
     })
 }
 
@@ -99,8 +152,7 @@ pub(super) fn check(options: &ScenarioOptions) -> Result<(), Failure> {
     let loaded = input::load(options, false)?;
     let setup = input::setup(&loaded)?;
     let simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;
-    say(describe(&loaded, &simulation));
-    Ok(())
+    say(describe(&loaded, &simulation))
 }
 
 fn describe(loaded: &Loaded, simulation: &Simulation) -> String {

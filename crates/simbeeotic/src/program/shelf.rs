@@ -23,8 +23,7 @@ pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
                 })
             })
             .collect();
-        say(format!("{:#}", Value::Array(rows)));
-        return Ok(());
+        return say(format!("{:#}", Value::Array(rows)));
     }
     let mut page = String::new();
     for kind in kinds {
@@ -45,8 +44,7 @@ pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
         page.push('\n');
     }
     page.push_str("`simbeeotic describe NAME` shows a part's parameters.");
-    say(page);
-    Ok(())
+    say(page)
 }
 
 fn kind_called(word: &str) -> Result<Kind, Failure> {
@@ -88,9 +86,9 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
     }
     for part in found {
         if json {
-            say(format!("{:#}", (part.schema)().to_value()));
+            say(format!("{:#}", (part.schema)().to_value()))?;
         } else {
-            say(page(part));
+            say(page(part))?;
         }
     }
     Ok(())
@@ -179,6 +177,5 @@ fn choices(field: &Value) -> Vec<&str> {
 
 /// Prints the JSON schema of scenario files.
 pub(super) fn schema() -> Result<(), Failure> {
-    say(format!("{:#}", simbeeotic_scenario::schema::schema()));
-    Ok(())
+    say(format!("{:#}", simbeeotic_scenario::schema::schema()))
 }

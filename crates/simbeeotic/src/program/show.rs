@@ -2,7 +2,7 @@
 
 use indicatif::{HumanBytes, HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use simbeeotic_kernel::{Progress, SimTime};
-use simbeeotic_model::Summary;
+use simbeeotic_model::{Consumer, Summary};
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -84,19 +84,34 @@ fn span(seconds: f64) -> String {
     }
 }
 
-/// The summary of a run, as a page of text.
-pub(super) fn summary(summary: &Summary) -> String {
+/// Threads as people say them.
+pub(super) fn threads(threads: usize) -> String {
+    match threads {
+        1 => "1 thread".to_owned(),
+        n => format!("{n} threads"),
+    }
+}
+
+/// A positive number with three digits that count, or all of its whole ones.
+fn three_digits(number: f64) -> String {
+    let decimals = match number {
+        n if n >= 100.0 => 0,
+        n if n >= 10.0 => 1,
+        n => (0..12).find(|k| n * 10_f64.powi(*k) >= 1.0).unwrap_or(12) + 2,
+    };
+    format!("{number:.*}", decimals as usize)
+}
+
+/// The summary of a run, as a page of text; `ended` says why it did.
+pub(super) fn summary(summary: &Summary, ended: &str) -> String {
     let mut page = String::new();
     let mut line = |key: &str, value: String| {
         let _ = writeln!(page, "  {key:<10} {value}");
     };
     let s = summary;
-    let threads = if s.threads == 1 {
-        "1 thread".to_owned()
-    } else {
-        format!("{} threads", s.threads)
-    };
-    line("scenario", format!("{}, seed {}", s.scenario, s.seed));
+    // Seeds are signed in files and arguments.
+    let seed = s.seed.cast_signed();
+    line("scenario", format!("{}, seed {seed}", s.scenario));
     line(
         "models",
         format!(
@@ -109,8 +124,11 @@ pub(super) fn summary(summary: &Summary) -> String {
     line(
         "time",
         format!(
-            "{:.3} s virtual in {:.2} s: {:.2} x real time, {threads} ({})",
-            s.virtual_s, s.wall_s, s.speed, s.ended
+            "{:.3} s virtual in {:.2} s: {:.2} x real time, {} ({ended})",
+            s.virtual_s,
+            s.wall_s,
+            s.speed,
+            threads(s.threads)
         ),
     );
     let t = &s.time;
@@ -149,18 +167,18 @@ pub(super) fn summary(summary: &Summary) -> String {
         );
         line("packets", text);
     }
-    let total: f64 = s.charge.iter().map(|c| c.milliampere_seconds).sum();
-    let shares: Vec<_> = s
-        .charge
-        .iter()
-        .filter(|c| c.milliampere_seconds > 0.0)
-        .map(|c| format!("{} {:.1}", c.consumer, c.milliampere_seconds / 3600.0))
+    let drawn = |consumer: Consumer| {
+        let line = s.charge.get(consumer.name());
+        line.map_or(0.0, |line| line.milliampere_seconds / 3600.0)
+    };
+    let shares: Vec<_> = Consumer::ALL
+        .into_iter()
+        .filter(|consumer| drawn(*consumer) > 0.0)
+        .map(|consumer| format!("{} {}", consumer.name(), three_digits(drawn(consumer))))
         .collect();
     if !shares.is_empty() {
-        line(
-            "charge",
-            format!("{:.1} mAh: {}", total / 3600.0, shares.join(", ")),
-        );
+        let total = three_digits(Consumer::ALL.into_iter().map(drawn).sum());
+        line("charge", format!("{total} mAh: {}", shares.join(", ")));
     }
     if let Some(late) = &s.lateness {
         line(
@@ -182,4 +200,15 @@ pub(super) fn summary(summary: &Summary) -> String {
 /// Bytes as people say them.
 pub(super) fn bytes(bytes: u64) -> String {
     HumanBytes(bytes).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::three_digits;
+
+    #[test]
+    fn small_shares_are_not_zero() {
+        let shown = [1106.97, 273.7, 83.33, 8.333, 0.8333, 0.000_412_6].map(three_digits);
+        assert_eq!(shown, ["1107", "274", "83.3", "8.33", "0.833", "0.000413"]);
+    }
 }
