@@ -24,25 +24,50 @@ path = "run.mcap"
 period = "100 ms"
 "#;
 
+/// A run that has begun: its recording has ticks in it.
 #[cfg(unix)]
-#[test]
-fn a_killed_run_leaves_a_recording_up_to_its_last_second() {
-    let program = Program::new();
+fn begun(program: &Program, arguments: &[&str]) -> std::process::Child {
     program.write("bees.toml", BEES);
     let mut child = program
         .command()
-        .args(["run", "bees.toml", "--quiet", "--real-time", "4"])
-        .stdout(Stdio::null())
+        .args(["run", "bees.toml", "--real-time", "1"])
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
         .spawn()
         .expect("the program starts");
-    std::thread::sleep(Duration::from_secs(4));
+    // Ten minutes: far more than the slowest machine takes.
+    for _ in 0..6000 {
+        if last_tick_ns(program).is_some() {
+            return child;
+        }
+        assert!(matches!(child.try_wait(), Ok(None)), "it ended by itself");
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    panic!("nothing is recorded");
+}
+
+/// The last tick that is in the recording by now.
+#[cfg(unix)]
+fn last_tick_ns(program: &Program) -> Option<u64> {
+    let recording = Recording::open(program.path("run.mcap")).ok()?;
+    recording.ticks().next()?.ok()?;
+    Some(recording.end_ns())
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_run_leaves_a_recording_that_reads() {
+    let program = Program::new();
+    let mut child = begun(&program, &["--quiet"]);
+    std::thread::sleep(Duration::from_secs(3));
+    let seen_ns = last_tick_ns(&program).expect("still there");
     child.kill().expect("it can be killed"); // SIGKILL
     child.wait().expect("it is gone");
     let recording = Recording::open(program.path("run.mcap")).expect("the recording reads");
     assert!(recording.truncated());
-    // 4 s of wall time at 4 times real time, less the start-up and at most a second (4 virtual).
-    let seconds = recording.end_ns() as f64 * 1e-9;
-    assert!(seconds > 8.0, "only {seconds} virtual seconds are left");
+    // What was in the file stays in it. How much that is at least, tests of the recorder tell.
+    assert!(recording.end_ns() >= seen_ns, "{seen_ns} ns were there");
     assert!(
         recording
             .ticks()
@@ -50,54 +75,79 @@ fn a_killed_run_leaves_a_recording_up_to_its_last_second() {
     );
 }
 
-#[cfg(target_os = "linux")]
+#[cfg(unix)]
 #[test]
-fn a_full_disk_ends_the_run_with_a_clear_message() {
-    let program = Program::new();
-    program.write("bees.toml", BEES);
-    let call = program.call(&[
-        "run",
-        "bees.toml",
-        "--quiet",
-        "--record",
-        "/dev/full",
-        "--end-time",
-        "1000 s",
-    ]);
-    assert_eq!(call.code, Some(1), "{}", call.err);
-    assert!(
-        call.err.contains("/dev/full") && call.err.contains("No space left"),
-        "{}",
-        call.err
-    );
+fn an_interrupted_run_shows_its_summary_and_closes_its_recording() {
+    for signal in ["-INT", "-TERM"] {
+        let program = Program::new();
+        let child = begun(&program, &["--json"]);
+        let sent = std::process::Command::new("kill")
+            .args([signal, &child.id().to_string()])
+            .status();
+        assert!(sent.expect("there is a kill").success());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(130), "{signal}");
+        let summary: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a summary");
+        assert_eq!(summary["ended"], "interrupted");
+        assert!(summary["charge"]["hover"]["milliampere_seconds"].is_number());
+        let recording = Recording::open(program.path("run.mcap")).expect("the recording reads");
+        assert!(!recording.truncated());
+        assert!(recording.ticks().next().is_some_and(|tick| tick.is_ok()));
+    }
 }
 
 #[test]
-fn an_interrupted_run_shows_its_summary_and_closes_its_recording() {
+fn a_limit_of_wall_time_ends_a_run_well() {
     let program = Program::new();
     program.write("bees.toml", BEES);
-    let child = program
-        .command()
-        .args([
-            "run",
-            "bees.toml",
-            "--quiet",
-            "--json",
-            "--wall-time",
-            "1 s",
-        ])
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let output = child.wait_with_output().expect("it ends");
-    assert!(output.status.success());
-    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a summary");
+    let summary = program.summary(&["bees.toml", "--wall-time", "1 s"]);
     assert_eq!(summary["ended"], "wall time");
     assert!(
         !Recording::open(program.path("run.mcap"))
             .expect("the recording reads")
             .truncated()
     );
+}
+
+#[test]
+fn a_recording_that_cannot_be_made_is_said_once_and_nothing_else() {
+    let program = Program::new();
+    program.write("bees.toml", BEES);
+    std::fs::create_dir(program.path("folder")).expect("made");
+    let mut targets = vec!["folder", "nowhere/run.mcap"];
+    if cfg!(target_os = "linux") {
+        targets.push("/dev/full");
+    }
+    for target in targets {
+        let call = program.call(&["run", "bees.toml", "--record", target]);
+        assert_eq!(call.code, Some(2), "{target}: {}", call.err);
+        assert_eq!(call.err.matches(target).count(), 1, "{}", call.err);
+        assert_eq!(call.err.lines().count(), 1, "{}", call.err);
+        assert_eq!(call.out, "", "no summary");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_is_an_error() {
+    let program = Program::new();
+    program.write("bees.toml", BEES);
+    for arguments in [
+        &["run", "bees.toml", "--json", "--end-time", "1 s"][..],
+        &["list"],
+        &["schema"],
+    ] {
+        let full = std::fs::File::create("/dev/full").expect("Linux has it");
+        let output = program
+            .command()
+            .args(arguments)
+            .stdout(full)
+            .output()
+            .expect("the program starts");
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert!(err.contains("No space left"), "{err}");
+    }
 }
 
 /// Sends itself a message whenever it gets one.

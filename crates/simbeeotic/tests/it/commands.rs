@@ -1,6 +1,7 @@
 //! Each command once, and what it says to input that is wrong.
 
 use crate::program::{Program, shipped};
+use simbeeotic::record::Recording;
 
 #[test]
 fn every_shipped_scenario_is_fine() {
@@ -74,7 +75,7 @@ fn a_parameter_out_of_range_is_shown_where_it_is_written() {
     let call = program.call(&["check", "bad.toml"]);
     assert_eq!(call.code, Some(2), "{}", call.err);
     assert!(
-        call.err.contains("bad.toml:6:40") && call.err.contains("more than zero"),
+        call.err.contains("bad.toml:6:40") && call.err.contains("is -1 kg"),
         "{}",
         call.err
     );
@@ -157,6 +158,102 @@ fn a_recording_becomes_a_table() {
     assert_eq!(parquet.code, Some(0), "{}", parquet.err);
     let bytes = std::fs::read(program.path("drop.parquet")).expect("a Parquet file");
     assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+
+    let before = std::fs::read(program.path("drop.mcap")).expect("a recording");
+    for format in ["--csv", "--parquet"] {
+        for target in ["drop.mcap", "./drop.mcap"] {
+            let call = program.call(&["export", "drop.mcap", format, target]);
+            assert_eq!(call.code, Some(2), "{}", call.err);
+            assert!(call.err.contains("recording itself"), "{}", call.err);
+        }
+    }
+    let after = std::fs::read(program.path("drop.mcap")).expect("a recording");
+    assert!(before == after, "the recording stays as it was");
+
+    let call = program.call(&[
+        "export",
+        "drop.mcap",
+        "--csv",
+        "--from",
+        "5 s",
+        "--to",
+        "1 s",
+    ]);
+    assert_eq!(
+        (call.code, call.out.as_str()),
+        (Some(2), ""),
+        "{}",
+        call.err
+    );
+    assert!(
+        call.err.contains("--from") && call.err.contains("--to"),
+        "{}",
+        call.err
+    );
+}
+
+#[test]
+fn another_path_for_the_recording_keeps_the_recorder_s_settings() {
+    let program = Program::new();
+    program.write(
+        "bees.toml",
+        r#"
+[run]
+end_time = "1 s"
+
+[[model]]
+use = "random-walk-bee"
+
+[[component]]
+use = "recorder"
+path = "one.mcap"
+period = "100 ms"
+twists = false
+"#,
+    );
+    program.summary(&["bees.toml", "--record", "two.mcap"]);
+    assert!(!program.path("one.mcap").exists());
+    let recording = Recording::open(program.path("two.mcap")).expect("the recording reads");
+    assert_eq!(recording.ticks().count(), 11);
+    assert!(!recording.has_twists());
+}
+
+#[test]
+fn numbers_that_make_no_sense_get_our_own_words() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/first-swarm.toml");
+    for (arguments, words) in [
+        (["--threads", "0"], "between 1 and 4096"),
+        (["--threads", "100000"], "between 1 and 4096"),
+        (["--threads", "-1"], "between 1 and 4096"),
+        (["--real-time", "-1"], "above zero"),
+        (["--real-time", "NaN"], "above zero"),
+        (["--end-time", "-3 s"], "-3 s"),
+        (["--wall-time", "-3 s"], "more than zero"),
+    ] {
+        let call = program.call(&[&["run", &scenario], &arguments[..]].concat());
+        assert_eq!(call.code, Some(2), "{arguments:?}: {}", call.err);
+        assert!(call.err.contains(words), "{arguments:?}: {}", call.err);
+        assert!(!call.err.contains("unexpected argument"), "{}", call.err);
+    }
+    for n in ["0", "10,0", "-4"] {
+        let call = program.call(&["bench", "fig7", "--n", n]);
+        assert_eq!(call.code, Some(2), "{}", call.err);
+        assert!(call.err.contains("one bee or more"), "{}", call.err);
+    }
+}
+
+#[test]
+fn a_seed_is_shown_as_it_was_given() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/first-swarm.toml");
+    let run = ["run", &scenario, "--no-record", "--end-time", "1 s"];
+    let call = program.call(&[&run[..], &["--seed", "-5"]].concat());
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    assert!(call.out.contains("seed -5\n"), "{}", call.out);
+    let call = program.call(&[&run[..], &["--seed=-5", "--json"]].concat());
+    let summary: serde_json::Value = serde_json::from_str(&call.out).expect("a summary");
+    assert_eq!(summary["seed"], -5);
 }
 
 #[test]
@@ -212,6 +309,11 @@ fn a_new_crate_is_made_once() {
         "it does not overwrite"
     );
     assert_eq!(program.call(&["new", "My Swarm"]).code, Some(2));
+    for name in ["test", "std", "self", "match"] {
+        let call = program.call(&["new", name]);
+        assert_eq!(call.code, Some(2));
+        assert!(call.err.contains("reserved"), "{}", call.err);
+    }
 }
 
 #[test]
@@ -238,4 +340,39 @@ count = 50
     assert!(call.err.contains("bad.toml:8:40"), "{}", call.err);
     assert!(call.err.contains("a radio is wanted"), "{}", call.err);
     assert!(call.err.contains("2 errors in bad.toml"), "{}", call.err);
+}
+
+#[test]
+fn a_scenario_and_its_world_are_converted_together_or_not_at_all() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/figure12.xml");
+    let world = shipped("crates/scenario/tests/fixtures/world.xml");
+
+    program.write("bad.xml", "<scenario><nonsense></scenario>");
+    let call = program.call(&["convert", "bad.xml", "--world", &world]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(!program.path("world.toml").exists(), "nothing is written");
+
+    let call = program.call(&["convert", &scenario, "--world", &world]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    assert!(call.out.contains("world = \"world.toml\""), "{}", call.out);
+    assert!(call.err.contains("wrote world.toml"), "{}", call.err);
+    program.write("converted.toml", &call.out);
+    let call = program.call(&["check", "converted.toml"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+
+    for arguments in [
+        &["convert", "converted.toml"][..],
+        &["convert", &scenario, "--world", "world.toml"],
+    ] {
+        let call = program.call(arguments);
+        assert_eq!(call.code, Some(2), "{}", call.err);
+        assert!(call.err.contains("is TOML already"), "{}", call.err);
+    }
+    program.write(
+        "mine.xml",
+        &std::fs::read_to_string(&scenario).expect("shipped"),
+    );
+    let call = program.call(&["convert", "mine.xml", "-o", "./mine.xml"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
 }
