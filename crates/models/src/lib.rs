@@ -20,5 +20,11 @@ pub mod phase;
 pub mod propagation;
 pub mod radio;
 pub mod sensor;
+#[cfg(test)]
+mod trial;
 pub mod vehicle;
 pub mod weather;
+
+// The tests within this crate share helpers with those beside it.
+#[cfg(test)]
+extern crate self as simbeeotic_models;

@@ -50,3 +50,17 @@ impl Behavior<Station> for SimpleHive {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_stands_on_its_start_and_stays_there() {
+        let size = Length::si(0.6);
+        let body = SimpleHive::body(&SimpleHiveParams { size }).expect("a body");
+        assert_eq!(body.p_enu, DVec3::new(0.0, 0.0, 0.3));
+        assert_eq!(body.mobility, Mobility::Fixed);
+        assert!(body.check().is_ok());
+    }
+}

@@ -51,3 +51,24 @@ impl Behavior for RandomWalkBee {
         walk::step(bee, p.heading_sigma, p.velocity_sigma, p.max_speed);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::trial::{bee, run};
+    use simbeeotic_model::kernel::SimTime;
+
+    #[test]
+    fn the_walk_never_exceeds_its_top_speed() {
+        let params = [("max_speed", "0.5 m/s"), ("velocity_sigma", "3 m/s")];
+        let plan = bee("bee", "random-walk-bee", &params, [0.0, 0.0, 500.0]);
+        let mut run = run(vec![plan], 60);
+        let mut fastest = 0.0_f64;
+        for step in 1..=600 {
+            run.run_until(SimTime::from_millis(100 * step))
+                .expect("it runs");
+            let velocity = run.twist("bee").expect("a body").linear;
+            fastest = fastest.max(velocity.length().metres_per_second());
+        }
+        assert!((0.2..0.5 + 1e-9).contains(&fastest), "{fastest} m/s");
+    }
+}

@@ -42,3 +42,31 @@ impl Radio for Cc2420 {
             .ok_or_else(|| BuildError::parameter("tx_level", "must be a level from 3 to 31"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with(channel: u8, tx_level: u8) -> Result<RadioSpec, BuildError> {
+        Cc2420::spec(Cc2420Params { channel, tx_level })
+    }
+
+    #[test]
+    fn channels_and_levels_of_the_datasheet_are_taken() {
+        for (channel, level) in [(11, 31), (26, 3), (18, 17)] {
+            assert!(with(channel, level).is_ok(), "{channel} {level}");
+        }
+    }
+
+    #[test]
+    fn others_are_refused_by_name() {
+        for channel in [0, 10, 27, 255] {
+            let fault = with(channel, 31).err().expect("no such channel");
+            assert!(fault.to_string().contains("11 to 26"), "{fault}");
+        }
+        for level in [0, 2, 32, 255] {
+            let fault = with(11, level).err().expect("no such level");
+            assert!(fault.to_string().contains("3 to 31"), "{fault}");
+        }
+    }
+}

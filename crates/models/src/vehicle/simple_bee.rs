@@ -121,74 +121,77 @@ pub enum ContactMode {
     Respond,
 }
 
+/// Everything that physics would refuse later is refused where it is written.
+fn check(p: &SimpleBeeParams) -> Result<(), BuildError> {
+    let (lightest, heaviest) = limits::MASS_KG_RANGE;
+    in_range("mass", p.mass, Mass::si(lightest)..=Mass::si(heaviest))?;
+    positive("length", p.length)?;
+    let longest = Length::si(2.0 * limits::EXTENT_M_MAX);
+    in_range("length", p.length, Length::ZERO..=longest)?;
+    positive("max_acceleration", p.max_acceleration)?;
+    let hardest = Acceleration::si(limits::ACCELERATION_M_S2_MAX);
+    in_range(
+        "max_acceleration",
+        p.max_acceleration,
+        Acceleration::ZERO..=hardest,
+    )?;
+    positive("control_period", p.control_period)?;
+    positive("response_time", p.response_time)?;
+    at_least_zero("hover_current", p.hover_current)?;
+    at_least_zero("actuation_current", p.actuation_current)?;
+    at_least_zero("turn_sigma", p.turn_sigma)?;
+    at_least_zero("direction_sigma", p.direction_sigma)?;
+    at_least_zero("speed_sigma", p.speed_sigma)?;
+    at_least_zero("drag_coefficient", p.drag_coefficient)?;
+    in_range("friction", p.friction, 0.0..=limits::FRICTION_MAX)?;
+    in_range("restitution", p.restitution, 0.0..=1.0)?;
+    // What is left is the moment of inertia.
+    let fault = |error| format!("does not go with the mass: {error}");
+    let whole = body(p).check();
+    whole.map_err(|error| BuildError::parameter("length", fault(error)))
+}
+
+/// The body of a bee with these parameters.
+fn body(p: &SimpleBeeParams) -> BodySpec {
+    let radius = 0.5 * p.length.metres();
+    let mask = if p.bee_collisions {
+        group::ALL
+    } else {
+        group::ALL & !group::BEE
+    };
+    BodySpec {
+        p_enu: DVec3::new(0.0, 0.0, radius),
+        contacts: match p.contacts {
+            ContactMode::None => Contacts::None,
+            ContactMode::Detect => Contacts::Detect,
+            ContactMode::Respond => Contacts::Respond,
+        },
+        material: Material {
+            friction: p.friction,
+            restitution: p.restitution,
+        },
+        group: group::BEE,
+        mask,
+        ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.kilograms())
+    }
+}
+
 impl Vehicle for SimpleBee {
     type Params = SimpleBeeParams;
 
     fn build(params: SimpleBeeParams, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
-        let p = &params;
-        let (lightest, heaviest) = limits::MASS_KG_RANGE;
-        in_range("mass", p.mass, Mass::si(lightest)..=Mass::si(heaviest))?;
-        positive("length", p.length)?;
-        let longest = Length::si(2.0 * limits::EXTENT_M_MAX);
-        in_range("length", p.length, Length::ZERO..=longest)?;
-        positive("max_acceleration", p.max_acceleration)?;
-        let hardest = Acceleration::si(limits::ACCELERATION_M_S2_MAX);
-        in_range(
-            "max_acceleration",
-            p.max_acceleration,
-            Acceleration::ZERO..=hardest,
-        )?;
-        positive("control_period", p.control_period)?;
-        positive("response_time", p.response_time)?;
-        at_least_zero("hover_current", p.hover_current)?;
-        at_least_zero("actuation_current", p.actuation_current)?;
-        at_least_zero("turn_sigma", p.turn_sigma)?;
-        at_least_zero("direction_sigma", p.direction_sigma)?;
-        at_least_zero("speed_sigma", p.speed_sigma)?;
-        at_least_zero("drag_coefficient", p.drag_coefficient)?;
-        in_range("friction", p.friction, 0.0..=limits::FRICTION_MAX)?;
-        in_range("restitution", p.restitution, 0.0..=1.0)?;
-        let errors = kit.stream("actuation");
-        let bee = Self {
+        check(&params)?;
+        Ok(Self {
             params,
-            errors,
+            errors: kit.stream("actuation"),
             since: SimTime::ZERO,
             effort_m_s2: 0.0,
             hovering: false,
-        };
-        // What is left is their moment of inertia.
-        match bee.body().check() {
-            Ok(()) => Ok(bee),
-            Err(error) => Err(BuildError::parameter(
-                "length",
-                format!("does not go with the mass: {error}"),
-            )),
-        }
+        })
     }
 
     fn body(&self) -> BodySpec {
-        let p = &self.params;
-        let radius = 0.5 * p.length.metres();
-        let mask = if p.bee_collisions {
-            group::ALL
-        } else {
-            group::ALL & !group::BEE
-        };
-        BodySpec {
-            p_enu: DVec3::new(0.0, 0.0, radius),
-            contacts: match p.contacts {
-                ContactMode::None => Contacts::None,
-                ContactMode::Detect => Contacts::Detect,
-                ContactMode::Respond => Contacts::Respond,
-            },
-            material: Material {
-                friction: p.friction,
-                restitution: p.restitution,
-            },
-            group: group::BEE,
-            mask,
-            ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.kilograms())
-        }
+        body(&self.params)
     }
 
     fn control_period(&self) -> Option<Time> {
@@ -310,5 +313,189 @@ impl SimpleBee {
         } else {
             0.0
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trial::{NoParams, assert_normal, bee, run, vehicle};
+    use simbeeotic_model::{Bee, Behavior, Kit, behavior};
+
+    const DRAWS: usize = 10_000;
+
+    fn inaccurate(direction_sigma: Angle, speed_sigma: f64) -> SimpleBee {
+        SimpleBee {
+            params: SimpleBeeParams {
+                direction_sigma,
+                speed_sigma,
+                ..SimpleBeeParams::default()
+            },
+            errors: Stream::new(1, "bee", "actuation"),
+            since: SimTime::ZERO,
+            effort_m_s2: 0.0,
+            hovering: false,
+        }
+    }
+
+    #[test]
+    fn the_speed_flown_has_the_error_it_says() {
+        let mut bee = inaccurate(Angle::ZERO, 0.05);
+        let wanted = Velocity::<Flu>::from_xyz(2.0, 0.0, 0.0);
+        let flown: Vec<Velocity<Flu>> = (0..DRAWS).map(|_| bee.with_errors(wanted)).collect();
+        assert!(flown.iter().all(|v| v.si().y == 0.0 && v.si().z == 0.0));
+        let speeds: Vec<f64> = flown.iter().map(|v| v.si().x).collect();
+        assert_normal(&speeds, 2.0, 2.0 * 0.05);
+    }
+
+    #[test]
+    fn the_direction_flown_has_the_error_it_says_about_each_axis() {
+        let sigma = 0.01;
+        let mut bee = inaccurate(Angle::si(sigma), 0.0);
+        let wanted = Velocity::<Flu>::from_xyz(1.0, 0.0, 0.0);
+        let flown: Vec<Velocity<Flu>> = (0..DRAWS).map(|_| bee.with_errors(wanted)).collect();
+        assert!(flown.iter().all(|v| (v.si().length() - 1.0).abs() < 1e-12));
+        let aside: Vec<f64> = flown.iter().map(|v| v.si().y).collect();
+        assert_normal(&aside, 0.0, sigma);
+        let above: Vec<f64> = flown.iter().map(|v| v.si().z).collect();
+        assert_normal(&above, 0.0, sigma);
+    }
+
+    #[test]
+    fn without_errors_nothing_is_drawn() {
+        let mut bee = inaccurate(Angle::ZERO, 0.0);
+        let wanted = Velocity::<Flu>::from_xyz(1.0, 2.0, 3.0);
+        assert_eq!(bee.with_errors(wanted), wanted);
+        let mut fresh = Stream::new(1, "bee", "actuation");
+        assert_eq!(bee.errors.next_u64(), fresh.next_u64());
+    }
+
+    /// Turns on the spot, over and over, then toward places above and below.
+    #[behavior("test-simple-bee-turns")]
+    struct Turner;
+
+    impl Behavior for Turner {
+        type Params = NoParams;
+
+        fn build(_params: NoParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+            kit.once(Time::from_secs(1.0), Self::turn);
+            kit.once(Time::from_secs(2.0), Self::look);
+            Ok(Self)
+        }
+    }
+
+    impl Turner {
+        fn turn(&mut self, bee: &mut Bee<'_>) {
+            let errors: Vec<f64> = (0..DRAWS)
+                .map(|_| {
+                    let before = bee.attitude().yaw().angle();
+                    bee.turn(Angle::from_degrees(40.0));
+                    let turned = bee.attitude().yaw().angle() - before;
+                    turned.wrapped_positive().degrees()
+                })
+                .collect();
+            assert_normal(&errors, 40.0, 2.0);
+        }
+
+        fn look(&mut self, bee: &mut Bee<'_>) {
+            for (way, pitch, yaw) in [
+                ([0.0, 5.0, 5.0], -45.0, 90.0),
+                ([-5.0, 0.0, -5.0], 45.0, 180.0),
+                ([0.0, 0.0, 5.0], -90.0, 0.0),
+                ([0.0, 0.0, -5.0], 90.0, 0.0),
+            ] {
+                let [east, north, up] = way;
+                bee.turn_toward(bee.position() + Position::from_xyz(east, north, up));
+                let nose = bee
+                    .attitude()
+                    .rotate(Velocity::<Flu>::from_xyz(1.0, 0.0, 0.0));
+                let wanted = DVec3::from_array(way).normalize();
+                assert!(nose.si().abs_diff_eq(wanted, 1e-9), "{nose} for {way:?}");
+                assert!(
+                    (bee.attitude().pitch().degrees() - pitch).abs() < 1e-5,
+                    "{way:?}"
+                );
+                if pitch.abs() < 89.0 {
+                    let off = bee.attitude().yaw().angle() - Angle::from_degrees(yaw);
+                    assert!(off.sin().abs() < 1e-9 && off.cos() > 0.0, "{way:?}");
+                }
+            }
+            let before = bee.attitude();
+            bee.turn_toward(bee.position());
+            assert_eq!(bee.attitude(), before, "where it is, there is no direction");
+        }
+    }
+
+    #[test]
+    fn turns_have_the_error_they_say_and_noses_point_where_they_should() {
+        let gear = [("turn_sigma", "2 deg")];
+        let plan = vehicle("bee", "test-simple-bee-turns", &[], &gear, [0.0, 0.0, 50.0]);
+        let outcome = run(vec![plan], 3).run();
+        assert!(outcome.error.is_none(), "{:?}", outcome.error);
+    }
+
+    /// Wants to be much faster than it can.
+    #[behavior("test-simple-bee-hurry")]
+    struct Hurry;
+
+    impl Behavior for Hurry {
+        type Params = NoParams;
+
+        fn build(_params: NoParams, _kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+            Ok(Self)
+        }
+
+        fn on_control(&mut self, bee: &mut Bee<'_>) {
+            bee.fly(Velocity::from_xyz(100.0, 0.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn acceleration_is_capped_and_both_currents_are_booked() {
+        let mut run = run(
+            vec![bee("bee", "test-simple-bee-hurry", &[], [0.0, 0.0, 50.0])],
+            10,
+        );
+        for second in 1..=10 {
+            run.run_until(SimTime::from_secs(second)).expect("it runs");
+            let velocity = run.twist("bee").expect("a body").linear;
+            let expected = second as f64; // 1 m/s^2
+            assert!(
+                (velocity.length().metres_per_second() - expected).abs() < 1e-9,
+                "{velocity}"
+            );
+        }
+        run.run();
+        let accounts = run.accounts("bee").expect("it draws");
+        let drawn = |consumer| accounts.drawn(consumer).coulombs();
+        assert!((drawn(Consumer::Hover) - 0.5 * 10.0).abs() < 1e-9);
+        assert!((drawn(Consumer::Actuation) - 0.25 * 10.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn bodies_that_physics_would_refuse_are_refused_here() {
+        let fault = |change: fn(&mut SimpleBeeParams)| {
+            let mut params = SimpleBeeParams::default();
+            change(&mut params);
+            check(&params).err().map(|fault| fault.to_string())
+        };
+        assert_eq!(fault(|_| {}), None);
+        let wrong: [fn(&mut SimpleBeeParams); 10] = [
+            |p| p.mass = Mass::si(1e-10),
+            |p| p.mass = Mass::si(1e10),
+            |p| p.length = Length::ZERO,
+            |p| p.length = Length::si(3e5),
+            |p| (p.length, p.mass) = (Length::si(1e-7), Mass::si(1e-9)),
+            |p| p.max_acceleration = Acceleration::si(1e7),
+            |p| p.control_period = Time::ZERO,
+            |p| p.friction = 1e4,
+            |p| p.restitution = 1.1,
+            |p| p.turn_sigma = Angle::si(f64::NAN),
+        ];
+        for (place, change) in wrong.into_iter().enumerate() {
+            assert!(fault(change).is_some(), "case {place}");
+        }
+        let message = fault(|p| p.mass = Mass::si(1e-10)).expect("too light");
+        assert!(message.contains("is 1e-10 kg"), "{message}");
     }
 }

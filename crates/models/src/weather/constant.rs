@@ -43,3 +43,27 @@ impl Weather for ConstantWeather {
         self.wind
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_wind_is_the_same_everywhere_and_always() {
+        let wind = Velocity::from_xyz(3.0, -1.0, 0.5);
+        let weather = ConstantWeather::from_params(ConstantWeatherParams { wind }).expect("good");
+        for (place, seconds) in [([0.0, 0.0, 0.0], 0), ([1e4, -1e4, 500.0], 86_400)] {
+            let at = Position::from_xyz(place[0], place[1], place[2]);
+            assert_eq!(weather.wind(at, SimTime::from_secs(seconds)), wind);
+        }
+    }
+
+    #[test]
+    fn the_air_is_still_unless_said_otherwise_and_that_of_the_standard_atmosphere() {
+        let weather = ConstantWeather::from_params(ConstantWeatherParams::default()).expect("good");
+        let (here, now) = (Position::ZERO, SimTime::ZERO);
+        assert_eq!(weather.wind(here, now), Velocity::ZERO);
+        let density = weather.density(here, now).kilograms_per_cubic_metre();
+        assert!((density - 1.225).abs() < 1e-4, "{density} kg/m^3");
+    }
+}

@@ -67,12 +67,22 @@ pub(crate) fn vehicle(
 }
 
 /// Puts a sensor of the shelf on board.
-pub(crate) fn with_sensor(mut plan: ModelPlan, name: &str, kind: &str) -> ModelPlan {
+pub(crate) fn with_sensor(plan: ModelPlan, name: &str, kind: &str) -> ModelPlan {
+    with_sensor_of(plan, name, kind, &[])
+}
+
+/// The same with parameters for the sensor.
+pub(crate) fn with_sensor_of(
+    mut plan: ModelPlan,
+    name: &str,
+    kind: &str,
+    params: &[(&str, &str)],
+) -> ModelPlan {
     let part = registry::find(Kind::Sensor, kind).expect("a sensor of the shelf");
     let Make::Sensor(make) = part.make else {
         unreachable!("its kind is sensor")
     };
-    let factory = make(&section(&[])).expect("good parameters");
+    let factory = make(&section(params)).expect("good parameters");
     let sensor = SensorPlan {
         name: name.to_owned(),
         factory,
