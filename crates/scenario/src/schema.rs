@@ -173,7 +173,7 @@ fn run(all: &mut Definitions) -> Value {
     let properties = entries([
         (
             "seed",
-            json!({ "type": "integer", "default": 1, "description": "The master seed: all draws hang on it. A negative one counts as its 64 bits." }),
+            json!({ "type": "integer", "default": 1, "description": "The master seed: all draws hang on it. It has 64 bits, with a sign." }),
         ),
         (
             "end_time",

@@ -34,7 +34,8 @@ const THREADS_MAX: u64 = 4096;
 /// Reads the section `[run]` of a scenario.
 pub(super) fn read_run(node: &Node, faults: &mut Vec<Fault>) -> Option<Run> {
     let mut section = Section::open(node, "`[run]`", faults)?;
-    let seed = section.get("seed").and_then(|node| seed(node, faults));
+    // Seeds have a sign, as in the original: of a negative one the same 64 bits count.
+    let seed: Option<i64> = section.read("seed", faults);
     let end = section.required("end_time", "end_time = \"60 s\"", faults);
     let end = end.and_then(|node| instant(node, faults));
     let wall = section.get("wall_time").map(|node| duration(node, faults));
@@ -77,7 +78,7 @@ pub(super) fn read_run(node: &Node, faults: &mut Vec<Fault>) -> Option<Run> {
     }
     section.finish(faults);
     Some(Run {
-        seed: seed.unwrap_or(SEED),
+        seed: seed.map_or(SEED, |seed| seed as u64),
         limits,
         threads: threads
             .and_then(|n| usize::try_from(n).ok())
@@ -100,18 +101,6 @@ pub(super) fn read(root: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Ru
             None
         }
     }
-}
-
-/// A seed. The original's are signed, and files hold 64 bits with a sign: of a negative one the same
-/// bits count.
-fn seed(node: &Node, faults: &mut Vec<Fault>) -> Option<u64> {
-    let signed: i64 = section::read(node, faults)?;
-    let seed = signed as u64;
-    if signed < 0 {
-        let message = format!("the seed {signed} is the same as {seed}, which the summary shows");
-        faults.push(Fault::note(node.span, message));
-    }
-    Some(seed)
 }
 
 fn instant(node: &Node, faults: &mut Vec<Fault>) -> Option<SimTime> {

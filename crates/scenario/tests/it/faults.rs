@@ -156,15 +156,14 @@ fn times_of_less_than_a_nanosecond_are_refused() {
 }
 
 #[test]
-fn a_negative_seed_says_what_it_is() {
+fn a_seed_may_be_negative_and_keeps_its_sign_when_converted() {
     let text = "[run]\nseed = -5\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n";
     let loaded = crate::good("x.toml", text);
-    assert_eq!(loaded.plan().run.seed, 18_446_744_073_709_551_611);
-    let said = simbeeotic_scenario::render::faults(loaded.faults(), loaded.sources(), false);
-    assert!(
-        said.contains("the seed -5 is the same as 18446744073709551611"),
-        "{said}"
-    );
+    assert_eq!(loaded.plan().run.seed as i64, -5);
+    assert!(loaded.faults().is_empty());
+    assert!(loaded.toml().contains("seed = -5\n"));
+    let said = bad("x.toml", &text.replace("-5", "18446744073709551611"));
+    assert!(said.contains("x.toml:2:8"), "{said}");
 }
 
 #[test]
