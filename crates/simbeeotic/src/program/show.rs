@@ -3,6 +3,7 @@
 use indicatif::{HumanBytes, HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use simbeeotic_kernel::{Progress, SimTime};
 use simbeeotic_model::{Consumer, Summary};
+use simbeeotic_units::math;
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -94,11 +95,7 @@ pub(super) fn threads(threads: usize) -> String {
 
 /// A positive number with three digits that count, or all of its whole ones.
 fn three_digits(number: f64) -> String {
-    let decimals = match number {
-        n if n >= 100.0 => 0,
-        n if n >= 10.0 => 1,
-        n => (0..12).find(|k| n * 10_f64.powi(*k) >= 1.0).unwrap_or(12) + 2,
-    };
+    let decimals = (2.0 - math::log10(number).floor()).clamp(0.0, 14.0);
     format!("{number:.*}", decimals as usize)
 }
 
