@@ -61,11 +61,11 @@ mod tests {
     #[test]
     fn others_are_refused_by_name() {
         for channel in [0, 10, 27, 255] {
-            let fault = with(channel, 31).err().expect("no such channel");
+            let fault = with(channel, 31).expect_err("no such channel");
             assert!(fault.to_string().contains("11 to 26"), "{fault}");
         }
         for level in [0, 2, 32, 255] {
-            let fault = with(11, level).err().expect("no such level");
+            let fault = with(11, level).expect_err("no such level");
             assert!(fault.to_string().contains("3 to 31"), "{fault}");
         }
     }
