@@ -79,7 +79,9 @@ Examples:
   simbeeotic run scenarios/figure12.toml --seed 7 --threads 2 --json > summary.json
   simbeeotic run scenarios/first-swarm.toml --set model.bee.count=1000
   simbeeotic run scenarios/first-swarm.toml --set model.bee.params.max_speed=\"3 m/s\"
-  simbeeotic run scenarios/figure12.toml --record run.mcap";
+  simbeeotic run scenarios/figure12.toml --record run.mcap
+
+Ctrl-C or SIGTERM ends a run early: its recording is closed, its summary shown, the exit code 130.";
 
 const EXPORT_COLUMNS: &str = "\
 Columns: time_s, time_ns, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s

@@ -87,14 +87,28 @@ fn stop_on_interrupt(simulation: &Simulation) -> Arc<AtomicBool> {
     let control = simulation.control();
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
-    // Without a handler, Ctrl-C just ends the program; the recording still reads.
-    let _ = ctrlc::set_handler(move || {
+    on_interrupt(move || {
         if flag.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
         control.stop(INTERRUPTED);
     });
     interrupted
+}
+
+/// Calls `act` at each interrupt. If that cannot be had, an interrupt just ends the program, and the
+/// recording still reads.
+#[cfg(unix)]
+fn on_interrupt(act: impl Fn() + Send + 'static) {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) {
+        std::thread::spawn(move || signals.forever().for_each(|_| act()));
+    }
+}
+
+#[cfg(not(unix))]
+fn on_interrupt(act: impl Fn() + Send + 'static) {
+    let _ = ctrlc::set_handler(act);
 }
 
 /// `--record FILE` and `--no-record` overrule the scenario's recorders.
