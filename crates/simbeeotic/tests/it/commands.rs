@@ -154,6 +154,28 @@ fn a_recording_becomes_a_table() {
         "free fall: {height}"
     );
 
+    // The elastic one is back near 20 m after two times the fall, 4.04 s.
+    let csv = program.call(&[
+        "export",
+        "drop.mcap",
+        "--csv",
+        "--model",
+        "elastic",
+        "--from",
+        "4.04 s",
+        "--to",
+        "4.06 s",
+    ]);
+    let row = csv
+        .out
+        .lines()
+        .nth(1)
+        .expect("a tick")
+        .split(',')
+        .collect::<Vec<_>>();
+    let height: f64 = row[z].parse().expect("a number");
+    assert!(height > 20.0, "it bounced to {height} m");
+
     let parquet = program.call(&["export", "drop.mcap", "--parquet"]);
     assert_eq!(parquet.code, Some(0), "{}", parquet.err);
     let bytes = std::fs::read(program.path("drop.parquet")).expect("a Parquet file");
