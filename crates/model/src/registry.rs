@@ -8,7 +8,7 @@
 
 use crate::behavior::{Behavior, BuildError};
 use crate::component::Component;
-use crate::config::{Fault, Node, Params, fault::list, read_params};
+use crate::config::{Fault, Node, Params, read_params};
 use crate::host::Host;
 use crate::hosted::Hosted;
 use crate::instance::Instance;
@@ -428,10 +428,7 @@ pub fn find_node(kind: Kind, node: &Node) -> Result<&'static Part, Fault> {
         if elsewhere.is_empty() {
             fault
         } else {
-            fault.help(format!(
-                "`{name}` is a {}",
-                list(&elsewhere).replace('`', "")
-            ))
+            fault.help(format!("`{name}` is a {}", elsewhere.join(", ")))
         }
     })
 }

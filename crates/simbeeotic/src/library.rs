@@ -1,6 +1,6 @@
 //! A run in one call, for tests and small programs.
 
-use simbeeotic_model::config::Fault;
+use simbeeotic_model::config::{Fault, Sources};
 use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
 use simbeeotic_units::{Pose, Twist};
@@ -94,7 +94,12 @@ pub(crate) fn setup_text(loaded: &Loaded, error: SetupError, colour: bool) -> St
         Fault { message, ..fault }
     });
     let faults: Vec<Fault> = named.collect();
-    render::faults(&faults, loaded.sources(), colour)
+    faults_text(&faults, loaded.sources(), colour)
+}
+
+/// Faults as text that ends without an empty line.
+pub(crate) fn faults_text(faults: &[Fault], sources: &Sources, colour: bool) -> String {
+    render::faults(faults, sources, colour)
         .trim_end()
         .to_owned()
 }

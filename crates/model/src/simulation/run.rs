@@ -22,7 +22,6 @@ use std::time::Instant;
 pub struct Simulation {
     engine: Engine<Swarm>,
     origin: Origin,
-    end: SimTime,
     observers: Vec<Observer>,
     init_s: f64,
 }
@@ -70,7 +69,7 @@ impl Simulation {
         let settings = Settings {
             threads: setup.threads,
             seed,
-            limits: setup.limits.clone(),
+            limits: setup.limits,
             ..Settings::default()
         };
         let mut engine = Engine::new(swarm, agents, settings)?;
@@ -92,7 +91,6 @@ impl Simulation {
         Ok(Self {
             engine,
             origin: setup.origin,
-            end: setup.limits.end,
             observers,
             init_s,
         })
@@ -115,7 +113,7 @@ impl Simulation {
 
     /// When the run ends by itself.
     pub fn end(&self) -> SimTime {
-        self.end
+        self.engine.settings().limits.end
     }
 
     /// How far the run has come.
@@ -200,19 +198,19 @@ impl Simulation {
                 .filter_map(|o| o.clock)
                 .map(|(at, _)| at)
                 .min();
-            let target = next.unwrap_or(SimTime::MAX).min(self.end);
+            let target = next.unwrap_or(SimTime::MAX).min(self.end());
             let status = self.engine.run_until(target)?;
             match status {
                 Status::Stopped(reason) => return Ok(reason),
                 Status::WallTime => return Ok("wall time".to_owned()),
-                Status::Exhausted if self.end == SimTime::MAX => {
+                Status::Exhausted if self.end() == SimTime::MAX => {
                     return Ok("nothing left to do".to_owned());
                 }
                 // Bodies fly on without events; there is more to see until the end.
                 Status::Exhausted | _ => {}
             }
             self.observe(target)?;
-            if target >= self.end {
+            if target >= self.end() {
                 return Ok("end time".to_owned());
             }
         }

@@ -221,13 +221,7 @@ impl Scenario {
             self.shared(element, &found, settings);
             return None;
         }
-        let mut table = Table::default();
-        put(
-            &mut table,
-            "use",
-            found.span,
-            Node::string(found.span, found.part.label.name),
-        );
+        let mut table = uses(found.part.label.name, found.span);
         if let Some(name) = names.unique(&mut self.t, element, found.part.label.name, found.span) {
             put(&mut table, "name", name.span, name);
         }
@@ -254,13 +248,7 @@ impl Scenario {
         }
         if !settings.vehicle.is_empty() {
             let part = found.class.and_then(|c| c.vehicle).unwrap_or_default();
-            let mut vehicle = Table::default();
-            put(
-                &mut vehicle,
-                "use",
-                found.span,
-                Node::string(found.span, part),
-            );
+            let mut vehicle = uses(part, found.span);
             vehicle.entries.extend(settings.vehicle.entries);
             put(
                 &mut table,
@@ -288,13 +276,7 @@ impl Scenario {
         } else {
             "weather"
         };
-        let mut table = Table::default();
-        put(
-            &mut table,
-            "use",
-            found.span,
-            Node::string(found.span, found.part.label.name),
-        );
+        let mut table = uses(found.part.label.name, found.span);
         if found.kind == Kind::Propagation {
             for (path, default) in CHANNEL_DEFAULTS {
                 let (first, last) = path.split_once('.').unwrap_or((path, path));
@@ -378,13 +360,7 @@ impl Scenario {
                 continue;
             };
             let settings = self.t.properties(element, &found);
-            let mut table = Table::default();
-            put(
-                &mut table,
-                "use",
-                found.span,
-                Node::string(found.span, found.part.label.name),
-            );
+            let mut table = uses(found.part.label.name, found.span);
             if let Some(offset) = element.child("offset")
                 && let Some(node) = self.t.vector(offset, "m", true)
             {
@@ -438,13 +414,7 @@ impl Scenario {
         self.t.check(element, &["name"], &once, &[]);
         let found = self.t.class(element, &[Kind::Radio])?;
         let settings = self.t.properties(element, &found);
-        let mut table = Table::default();
-        put(
-            &mut table,
-            "use",
-            found.span,
-            Node::string(found.span, found.part.label.name),
-        );
+        let mut table = uses(found.part.label.name, found.span);
         table.entries.extend(settings.params.entries);
         if let Some(antenna) = element.child("antenna-pattern") {
             self.t.check(
@@ -480,13 +450,7 @@ impl Scenario {
                 continue;
             };
             let settings = self.t.properties(variation, &found);
-            let mut table = Table::default();
-            put(
-                &mut table,
-                "use",
-                found.span,
-                Node::string(found.span, found.part.label.name),
-            );
+            let mut table = uses(found.part.label.name, found.span);
             table.entries.extend(settings.params.entries);
             all.push(Node::new(variation.span, Value::Table(table)));
         }
@@ -508,6 +472,13 @@ impl Scenario {
             self.t.warn(span, message);
         }
     }
+}
+
+/// A section that begins by naming its part: `use = "..."`.
+fn uses(part: &str, span: Span) -> Table {
+    let mut table = Table::default();
+    put(&mut table, "use", span, Node::string(span, part));
+    table
 }
 
 fn list(all: Vec<Node>) -> Option<Node> {

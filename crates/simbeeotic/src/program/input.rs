@@ -33,16 +33,14 @@ pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Fai
 
 /// All faults of a rejected scenario, as text.
 pub(super) fn text_of(rejected: &Rejected) -> String {
-    render::faults(&rejected.faults, &rejected.sources, colour())
-        .trim_end()
-        .to_owned()
+    library::faults_text(&rejected.faults, &rejected.sources, colour())
 }
 
 /// The run that a checked scenario describes.
 pub(super) fn setup(loaded: &Loaded) -> Result<Setup, Failure> {
-    loaded.setup().map_err(|faults| {
-        Failure::input(render::faults(&faults, loaded.sources(), colour()).trim_end())
-    })
+    loaded
+        .setup()
+        .map_err(|faults| Failure::input(library::faults_text(&faults, loaded.sources(), colour())))
 }
 
 /// Models that cannot be built, at their places in the scenario.
