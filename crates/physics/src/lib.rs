@@ -73,6 +73,7 @@ mod lists;
 mod motion;
 mod physics;
 mod predict;
+mod queries;
 mod queue;
 mod response;
 mod root;

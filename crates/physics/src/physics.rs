@@ -8,7 +8,6 @@ use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
-use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -303,28 +302,6 @@ impl Physics {
             *duty |= duty::DIRTY;
             self.dirty.push(id.0);
         }
-    }
-
-    /// Appends every body whose centre of mass lies within `radius_m` of `p_enu` at `t`, by id.
-    ///
-    /// Quick for bodies that can touch others, and for all if `list_all` is set; the rest are looked at
-    /// one by one. `t` is the present; asking for another time is right, too, but slow.
-    pub fn near(&self, p_enu: DVec3, radius_m: f64, t: SimTime, found: &mut Vec<BodyId>) {
-        let mut candidates = Vec::new();
-        // Until then, every body is where the lists assume.
-        let until = self.clock.max(self.quiet_until).min(self.horizon);
-        let listed = self.dirty.is_empty() && !self.grown;
-        if listed && self.lists.built() <= t && t <= until {
-            self.lists.around(p_enu, radius_m, &mut candidates);
-            candidates.extend_from_slice(&self.unlisted);
-        } else {
-            candidates.extend(0..self.motions.len() as u32);
-        }
-        let within = |id: &u32| self.motions[*id as usize].position(t).distance(p_enu) <= radius_m;
-        candidates.retain(within);
-        candidates.sort_unstable();
-        candidates.dedup();
-        found.extend(candidates.into_iter().map(BodyId));
     }
 
     /// What has been done so far.
