@@ -129,7 +129,7 @@ fn engine(n: u32, aligned: bool, threads: usize, queue: QueueKind) -> Engine<Emp
         .into_iter()
         .map(|phase| {
             let mut timers = Timers::new();
-            let timer = timers.add();
+            let timer = timers.add(0);
             wakes.push((phase, timers.arm(timer, phase, Some(PERIOD_NS))));
             (timers, 0)
         })

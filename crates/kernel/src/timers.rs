@@ -7,7 +7,9 @@
 
 use crate::{SimTime, Wake};
 
-/// The timers of one agent, 24 bytes each.
+/// The timers of one agent, 24 bytes each. The first two lie in the table itself, next to what else
+/// the agent keeps: with 100,000 agents the way to memory of their own costs more than all the rest of
+/// a wake-up.
 ///
 /// They do not schedule anything: what is armed comes back as a [`Wake`] for the caller to schedule.
 /// A wake-up is handled in three steps:
@@ -16,13 +18,14 @@ use crate::{SimTime, Wake};
 /// use simbeeotic_kernel::{SimTime, Timers, Wake};
 ///
 /// let mut timers = Timers::new();
-/// let blink = timers.add();
+/// let blink = timers.add(7); // 7 is ours: which handler, say
 /// let period = 100_000_000; // ns
 /// let wake: Wake = timers.arm(blink, SimTime::ZERO, Some(period)); // schedule it at 0 s
 ///
 /// // ... the event comes:
 /// let fired = timers.fired(wake).expect("nobody moved it");
 /// assert_eq!(fired.timer, blink);
+/// assert_eq!(timers.label(blink), 7);
 /// // ... the handler runs; it may arm, move or cancel any timer, this one too ...
 /// let (at, _wake) = timers.rearm(fired).expect("the handler left it alone");
 /// assert_eq!(at, SimTime::from_millis(100)); // schedule it there
@@ -31,8 +34,13 @@ use crate::{SimTime, Wake};
 /// Methods panic if `timer` is not one of this table.
 #[derive(Clone, Debug, Default)]
 pub struct Timers {
-    slots: Vec<Slot>,
+    first: [Slot; NEAR],
+    more: Vec<Slot>,
+    count: u32,
 }
+
+/// Timers that lie in the table itself.
+const NEAR: usize = 2;
 
 /// A firing under way: between [`Timers::fired`] and [`Timers::rearm`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +50,7 @@ pub struct Fired {
     generation: u32,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Slot {
     /// What it is depends on the state.
     time: SimTime,
@@ -50,15 +58,18 @@ struct Slot {
     period: u64,
     /// Number of the latest arming or cancelling, 31 bits.
     generation: u32,
+    /// The caller's.
+    label: u16,
     state: State,
 }
 
 const _: () = assert!(size_of::<Slot>() == 24);
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u8)]
 enum State {
     /// Not armed, and has not fired since it was.
+    #[default]
     Idle,
     /// Fires next at `time`, for the first time since it was armed.
     Armed,
@@ -73,34 +84,45 @@ enum State {
 impl Timers {
     /// No timers.
     #[must_use]
-    pub const fn new() -> Self {
-        Self { slots: Vec::new() }
+    pub fn new() -> Self {
+        Self::default()
     }
 
-    /// Adds a timer that is not armed, and returns its number: 0, 1, 2, ...
+    /// Adds a timer that is not armed, and returns its number: 0, 1, 2, ... The label is a word of the
+    /// caller's own that stays with the timer.
     ///
     /// Timers stay for good. Arm one again instead of adding one for each wake-up.
-    pub fn add(&mut self) -> u32 {
+    pub fn add(&mut self, label: u16) -> u32 {
+        let timer = self.count;
         let slot = Slot {
-            time: SimTime::ZERO,
-            period: 0,
-            generation: 0,
-            state: State::Idle,
+            label,
+            ..Slot::default()
         };
-        self.slots.push(slot);
-        self.slots.len() as u32 - 1
+        match self.first.get_mut(timer as usize) {
+            Some(place) => *place = slot,
+            None => self.more.push(slot),
+        }
+        self.count += 1;
+        timer
     }
 
     /// How many timers there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.slots.len()
+        self.count as usize
     }
 
     /// Whether there is none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.slots.is_empty()
+        self.count == 0
+    }
+
+    /// The label that a timer was added with.
+    #[inline]
+    #[must_use]
+    pub fn label(&self, timer: u32) -> u16 {
+        self.slot(timer).label
     }
 
     /// Arms a timer for `at`, and from then on every `period_ns` if given (0 counts as none). Returns
@@ -129,7 +151,7 @@ impl Timers {
     #[inline]
     #[must_use]
     pub fn fired(&mut self, wake: Wake) -> Option<Fired> {
-        let slot = self.slots.get_mut(wake.arg as usize)?;
+        let slot = self.get_mut(wake.arg)?;
         let current = wake.tag == Wake::TIMER | slot.generation;
         if !(current && matches!(slot.state, State::Armed | State::Again)) {
             return None;
@@ -146,7 +168,7 @@ impl Timers {
     /// with it.
     #[inline]
     pub fn rearm(&mut self, fired: Fired) -> Option<(SimTime, Wake)> {
-        let slot = self.slots.get_mut(fired.timer as usize)?;
+        let slot = self.get_mut(fired.timer)?;
         if slot.generation != fired.generation || slot.state != State::Firing {
             return None;
         }
@@ -187,12 +209,31 @@ impl Timers {
         Some(self.slot(timer).period).filter(|period| *period > 0)
     }
 
+    #[inline]
+    fn get_mut(&mut self, timer: u32) -> Option<&mut Slot> {
+        if timer >= self.count {
+            return None;
+        }
+        match self.first.get_mut(timer as usize) {
+            Some(slot) => Some(slot),
+            None => self.more.get_mut(timer as usize - NEAR),
+        }
+    }
+
+    #[inline]
     fn slot(&self, timer: u32) -> &Slot {
-        &self.slots[timer as usize]
+        assert!(timer < self.count, "there is no timer {timer}");
+        match self.first.get(timer as usize) {
+            Some(slot) => slot,
+            None => &self.more[timer as usize - NEAR],
+        }
     }
 
     fn slot_mut(&mut self, timer: u32) -> &mut Slot {
-        &mut self.slots[timer as usize]
+        match self.get_mut(timer) {
+            Some(slot) => slot,
+            None => panic!("there is no timer {timer}"),
+        }
     }
 }
 
@@ -232,7 +273,7 @@ mod tests {
     #[test]
     fn a_periodic_timer_fires_every_period_without_drift() {
         let mut timers = Timers::new();
-        let t = timers.add();
+        let t = timers.add(0);
         let mut wake = timers.arm(t, ns(3), PERIOD);
         assert_eq!(
             (timers.next_firing(t), timers.last_fired(t)),
@@ -252,7 +293,7 @@ mod tests {
     #[test]
     fn a_one_shot_fires_once() {
         let mut timers = Timers::new();
-        let t = timers.add();
+        let t = timers.add(0);
         let wake = timers.arm(t, ns(3), None);
         let fired = timers.fired(wake).unwrap();
         assert_eq!(timers.next_firing(t), None);
@@ -267,7 +308,7 @@ mod tests {
     #[test]
     fn a_cancelled_or_moved_timer_lets_its_event_pass() {
         let mut timers = Timers::new();
-        let (a, b) = (timers.add(), timers.add());
+        let (a, b) = (timers.add(0), timers.add(0));
         let stale = timers.arm(a, ns(3), PERIOD);
         let other = timers.arm(b, ns(3), PERIOD);
         timers.cancel(a);
@@ -281,7 +322,7 @@ mod tests {
     #[test]
     fn what_a_handler_does_to_its_own_timer_wins() {
         let mut timers = Timers::new();
-        let t = timers.add();
+        let t = timers.add(0);
 
         let wake = timers.arm(t, ns(3), PERIOD);
         let fired = timers.fired(wake).unwrap();
@@ -310,7 +351,7 @@ mod tests {
     #[test]
     fn wake_ups_of_others_fire_nothing() {
         let mut timers = Timers::new();
-        let t = timers.add();
+        let t = timers.add(0);
         let wake = timers.arm(t, ns(3), None);
         assert_eq!(
             timers.fired(Wake::new(wake.tag & !Wake::TIMER, wake.arg)),
@@ -323,10 +364,23 @@ mod tests {
     #[test]
     fn the_end_of_time_ends_a_period() {
         let mut timers = Timers::new();
-        let t = timers.add();
+        let t = timers.add(0);
         let wake = timers.arm(t, ns(u64::MAX - 3), PERIOD);
         let fired = timers.fired(wake).unwrap();
         assert_eq!(timers.next_firing(t), None);
         assert_eq!(timers.rearm(fired), None);
+    }
+
+    #[test]
+    fn timers_within_the_table_and_beyond_are_alike() {
+        let mut timers = Timers::new();
+        let all: Vec<u32> = (0..5).map(|label| timers.add(100 + label)).collect();
+        assert_eq!((&all[..], timers.len()), (&[0, 1, 2, 3, 4][..], 5));
+        for &timer in &all {
+            assert_eq!(timers.label(timer), 100 + timer as u16);
+            let wake = timers.arm(timer, ns(u64::from(timer)), PERIOD);
+            let fired = timers.fired(wake).unwrap();
+            assert_eq!(timers.rearm(fired).unwrap().0, ns(u64::from(timer) + 10));
+        }
     }
 }

@@ -6,22 +6,31 @@ use crate::instance::Instance;
 use crate::kit::Kit;
 use crate::model::{Model, Wake};
 use crate::timer::{Call, TimerHandle};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Timer 0 belongs to the host's control law, whether it has one or not.
 const CONTROL: TimerHandle = TimerHandle::new(0);
 
+/// In this order, so that reading `handlers` and `declared` fetches the memory on both ends, and most
+/// of what is between.
+#[repr(C)]
 pub(crate) struct Hosted<B, H: Host> {
+    handlers: Handlers<B, H>,
     behavior: B,
     host: H,
-    handlers: Box<[Handler<B, H>]>,
     declared: Box<[Declared]>,
 }
 
+/// The methods that timers call, by [`Call`]: the same for all models of a section, as a rule, and
+/// then kept once.
+pub(crate) type Handlers<B, H> = Arc<[Handler<B, H>]>;
+
 impl<B: Behavior<H>, H: Host> Hosted<B, H> {
+    /// Builds the model. `known` are the handlers of another of its kind, to be shared.
     pub(crate) fn build(
         params: B::Params,
         instance: &mut Instance<'_>,
+        known: &OnceLock<Handlers<B, H>>,
     ) -> Result<Self, BuildError> {
         let host = H::assemble(instance, B::body(&params))?;
         let mut kit = Kit::new(
@@ -35,10 +44,25 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
             None => Ok(Self {
                 behavior,
                 host,
-                handlers: kit.handlers.into(),
+                handlers: share(kit.handlers, known),
                 declared: kit.declared.into(),
             }),
         }
+    }
+}
+
+/// The known handlers if these are the same, else these. Two of one address do the same; that one
+/// may have two addresses costs some bytes.
+fn share<B, H: Host>(
+    handlers: Vec<Handler<B, H>>,
+    known: &OnceLock<Handlers<B, H>>,
+) -> Handlers<B, H> {
+    let address = |handler: &Handler<B, H>| *handler as *const ();
+    let shared = known.get_or_init(|| handlers.clone().into());
+    if shared.iter().map(address).eq(handlers.iter().map(address)) {
+        Arc::clone(shared)
+    } else {
+        handlers.into()
     }
 }
 
@@ -46,7 +70,7 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
     fn start(&mut self, cx: &mut Cx<'_>) {
         let control = self.host.control_timing();
         cx.create_timer(Call::CONTROL, control.map(|c| c.0), control.map(|c| c.1));
-        for timer in &self.declared {
+        for timer in std::mem::take(&mut self.declared) {
             cx.create_timer(timer.call, timer.first, timer.period);
         }
     }
@@ -77,8 +101,8 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
         }
     }
 
-    fn touch(&self) -> u32 {
-        self.handlers.len() as u32
+    fn touch(&self) -> u64 {
+        self.handlers.len() as u64 ^ self.declared.len() as u64 ^ self.host.touch()
     }
 
     fn finish(&mut self, cx: &mut Cx<'_>) {

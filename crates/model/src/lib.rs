@@ -24,6 +24,7 @@ pub mod check;
 pub mod component;
 pub mod config;
 pub mod energy;
+mod fold;
 pub mod host;
 mod hosted;
 pub mod instance;

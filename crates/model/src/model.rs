@@ -14,9 +14,9 @@ pub trait Model: Send {
     /// Called for each event addressed to this model.
     fn wake(&mut self, wake: Wake<'_>, cx: &mut Cx<'_>);
 
-    /// Reads a word of the model's own memory, so that it is at hand when the model runs. A hint:
+    /// Reads a few words of the model's own memory, so that it is at hand when the model runs. A hint:
     /// what it returns does not matter.
-    fn touch(&self) -> u32 {
+    fn touch(&self) -> u64 {
         0
     }
 

@@ -10,11 +10,11 @@ use crate::behavior::{Behavior, BuildError};
 use crate::component::Component;
 use crate::config::{Fault, Node, Params, read_params};
 use crate::host::Host;
-use crate::hosted::Hosted;
+use crate::hosted::{Handlers, Hosted};
 use crate::instance::Instance;
 use crate::model::Model;
 use crate::sensor::{AnySensor, Mounted, Sensor};
-use crate::vehicle::{AnyVehicle, Vehicle, VehicleKit};
+use crate::vehicle::{AnyVehicle, Carried, Vehicle, VehicleKit};
 use schemars::Schema;
 use simbeeotic_kernel::Stream;
 use simbeeotic_radio::{Antenna, Propagation, RadioSpec};
@@ -299,16 +299,16 @@ fn make_radio<R: Radio>(node: &Node) -> Result<RadioSpec, Vec<Fault>> {
     R::spec(recipe.params.clone()).map_err(|e| vec![recipe.place(e)])
 }
 
-struct BehaviorFactory<B: Behavior<H>, H: Host>(
-    Recipe<B::Params>,
-    std::marker::PhantomData<fn() -> H>,
-);
+struct BehaviorFactory<B: Behavior<H>, H: Host> {
+    recipe: Recipe<B::Params>,
+    handlers: OnceLock<Handlers<B, H>>,
+}
 
 fn make_model<B: Behavior<H>, H: Host>(node: &Node) -> Result<Arc<dyn ModelFactory>, Vec<Fault>> {
-    Ok(Arc::new(BehaviorFactory::<B, H>(
-        Recipe::read(node)?,
-        std::marker::PhantomData,
-    )))
+    Ok(Arc::new(BehaviorFactory::<B, H> {
+        recipe: Recipe::read(node)?,
+        handlers: OnceLock::new(),
+    }))
 }
 
 impl<B: Behavior<H>, H: Host> ModelFactory for BehaviorFactory<B, H> {
@@ -317,9 +317,9 @@ impl<B: Behavior<H>, H: Host> ModelFactory for BehaviorFactory<B, H> {
     }
 
     fn build(&self, instance: &mut Instance<'_>) -> Result<Box<dyn Model>, Fault> {
-        match Hosted::<B, H>::build(self.0.params.clone(), instance) {
+        match Hosted::<B, H>::build(self.recipe.params.clone(), instance, &self.handlers) {
             Ok(model) => Ok(Box::new(model)),
-            Err(error) => Err(self.0.place(error)),
+            Err(error) => Err(self.recipe.place(error)),
         }
     }
 }
@@ -333,7 +333,7 @@ fn make_vehicle<V: Vehicle>(node: &Node) -> Result<Arc<dyn VehicleFactory>, Vec<
 impl<V: Vehicle> VehicleFactory for MakeVehicle<V> {
     fn build(&self, kit: &VehicleKit<'_>) -> Result<Box<dyn AnyVehicle>, BuildError> {
         match V::build(self.0.params.clone(), kit) {
-            Ok(vehicle) => Ok(Box::new(vehicle)),
+            Ok(vehicle) => Ok(Box::new(Carried::new(vehicle))),
             Err(error) => Err(BuildError::Placed(self.0.place(error))),
         }
     }

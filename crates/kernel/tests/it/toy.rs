@@ -190,7 +190,7 @@ pub(crate) fn engine_of(board: Board, seed: u64, settings: Settings) -> Engine<B
     for path in &board.paths {
         let mut rng = Stream::new(seed, path, "toy");
         let mut timers = Timers::new();
-        let timer = timers.add();
+        let timer = timers.add(0);
         let phase = if rng.bernoulli(0.5) {
             0
         } else {

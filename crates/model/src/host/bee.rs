@@ -47,6 +47,10 @@ impl Host for Flying {
             .control(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
     }
 
+    fn touch(&self) -> u64 {
+        self.vehicle.touch()
+    }
+
     fn finish(&mut self, cx: Cx<'_>) {
         self.vehicle
             .finish(&self.setpoint, &mut Platform::new(cx, &mut self.gear));

@@ -195,8 +195,7 @@ impl Cx<'_> {
         first: Option<Time>,
         period: Option<Time>,
     ) -> TimerHandle {
-        let timer = TimerHandle::new(self.core.timers.add());
-        self.core.calls.push(call);
+        let timer = TimerHandle::new(self.core.timers.add(call.0));
         match (first, period) {
             (Some(first), Some(period)) => self.arm_every(timer, first, period),
             (Some(first), None) => self.arm(timer, first),
@@ -206,11 +205,7 @@ impl Cx<'_> {
     }
 
     pub(crate) fn call_of(&self, timer: TimerHandle) -> Call {
-        self.core
-            .calls
-            .get(timer.index() as usize)
-            .copied()
-            .unwrap_or(Call::CONTROL)
+        Call(self.core.timers.label(timer.index()))
     }
 
     fn in_future(&mut self, what: &str, delay: Time) -> Option<SimTime> {

@@ -61,6 +61,12 @@ pub trait Host: Sized + Send + 'static {
     /// One step of the host's own control law.
     fn control(&mut self, _cx: Cx<'_>) {}
 
+    /// Reads a word or two of memory that the host keeps elsewhere, so that it is at hand when the
+    /// host is needed. A hint: what it returns does not matter.
+    fn touch(&self) -> u64 {
+        0
+    }
+
     /// Called once, after the last event of the run and the behaviour's own end.
     fn finish(&mut self, _cx: Cx<'_>) {}
 }

@@ -138,7 +138,6 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             radios: instance.radios.into(),
             rng: Stream::new(seed, &plan.path, "behavior"),
             timers: Timers::new(),
-            calls: Vec::new(),
             told: 0,
             accounts: crate::energy::Accounts::default(),
         };

@@ -237,9 +237,19 @@ impl Vehicle for SimpleBee {
 
     fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
         let error = self.params.turn_sigma * self.noise(self.params.turn_sigma);
-        let yaw = platform.attitude().yaw().angle() + angle + error;
-        platform.set_attitude(Attitude::from_yaw(Yaw::new(yaw)));
-        platform.set_rate(Rate::ZERO);
+        let turn = angle + error;
+        let before = platform.attitude();
+        let q = before.quat();
+        let after = if q.x == 0.0 && q.y == 0.0 {
+            // Upright, as nearly always: a product of quaternions instead of an arc tangent (60 ns).
+            before * Attitude::about(DVec3::Z, turn)
+        } else {
+            Attitude::from_yaw(before.yaw() + turn)
+        };
+        platform.set_attitude(after);
+        if platform.rate() != Rate::ZERO {
+            platform.set_rate(Rate::ZERO);
+        }
     }
 
     fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
