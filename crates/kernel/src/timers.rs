@@ -33,10 +33,11 @@ use crate::{SimTime, Wake};
 ///
 /// Methods panic if `timer` is not one of this table.
 #[derive(Clone, Debug, Default)]
+#[repr(C)]
 pub struct Timers {
+    count: u32,
     first: [Slot; NEAR],
     more: Vec<Slot>,
-    count: u32,
 }
 
 /// Timers that lie in the table itself.
@@ -116,6 +117,14 @@ impl Timers {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.count == 0
+    }
+
+    /// A word of the first timer, for having the memory of the table fetched early; what it is does not
+    /// matter.
+    #[inline]
+    #[must_use]
+    pub fn touch(&self) -> u64 {
+        self.first[0].period
     }
 
     /// The label that a timer was added with.

@@ -63,9 +63,9 @@ impl Accounts {
         Charge::si(self.0[consumer as usize])
     }
 
-    /// The first number, for reading this memory early.
-    pub(crate) fn first(&self) -> f64 {
-        self.0[0]
+    /// A word of it, for having its memory fetched early; what it is does not matter.
+    pub(crate) fn touch(&self) -> u64 {
+        self.0[0].to_bits()
     }
 
     /// What all consumers have drawn together.

@@ -419,15 +419,14 @@ impl Domain for Swarm {
         }
     }
 
-    /// A word of each cache line that a wake-up is going to need.
+    /// A word of each cache line that a wake-up is going to need, as far as they are known here.
     fn warm(&self, id: ModelId, agent: &Agent) -> u64 {
-        let core = &agent.core;
-        let own = core.timers.len() as u64 ^ core.accounts.first().to_bits() ^ core.told as u64;
-        let body = core.body.map_or(0, |body| {
+        let Agent { model, core } = agent;
+        let body = self.body_of(id).map_or(0, |body| {
             let motion = self.physics.motion(body);
             motion.start().nanos() ^ motion.mobility() as u64 ^ motion.torque().x.to_bits()
         });
-        own ^ body ^ agent.model.touch() ^ u64::from(id.0)
+        core.timers.touch() ^ core.accounts.touch() ^ body ^ model.touch()
     }
 
     fn commit(&mut self, id: ModelId, effect: Effect, cx: &mut Committing<'_>) {

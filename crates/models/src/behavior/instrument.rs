@@ -64,16 +64,15 @@ impl Behavior for InstrumentBee {
         positive("sensor_period", params.sensor_period)?;
         positive("radio_period", params.radio_period)?;
 
-        let mut phases = kit.stream("phase");
+        let first = |period| params.phase.first(period, kit.stream(Phase::PURPOSE));
+        let (look, talk) = (first(params.sensor_period), first(params.radio_period));
         let compass = kit.optional_sensor("compass")?;
         if compass.is_some() {
-            let first = params.phase.first(params.sensor_period, &mut phases);
-            kit.every_from(first, params.sensor_period, Self::look);
+            kit.every_from(look, params.sensor_period, Self::look);
         }
         let radio = kit.optional_radio().filter(|_| params.use_radio);
         if radio.is_some() {
-            let first = params.phase.first(params.radio_period, &mut phases);
-            kit.every_from(first, params.radio_period, Self::talk);
+            kit.every_from(talk, params.radio_period, Self::talk);
         }
         Ok(Self {
             params,

@@ -34,6 +34,7 @@ use crate::phase::Phase;
 #[vehicle("simple-bee")]
 pub struct SimpleBee {
     params: SimpleBeeParams,
+    first_control: Time,
     errors: Stream,
     /// Since when the current force has been drawing charge.
     since: SimTime,
@@ -181,9 +182,11 @@ impl Vehicle for SimpleBee {
 
     fn build(params: SimpleBeeParams, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
         check(&params)?;
+        let clock = kit.stream(Phase::PURPOSE);
         Ok(Self {
-            params,
+            first_control: params.phase.first(params.control_period, clock),
             errors: kit.stream("actuation"),
+            params,
             since: SimTime::ZERO,
             effort_m_s2: 0.0,
             hovering: false,
@@ -199,9 +202,7 @@ impl Vehicle for SimpleBee {
     }
 
     fn control_offset(&mut self) -> Time {
-        self.params
-            .phase
-            .first(self.params.control_period, &mut self.errors)
+        self.first_control
     }
 
     fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
@@ -341,6 +342,7 @@ mod tests {
                 speed_sigma,
                 ..SimpleBeeParams::default()
             },
+            first_control: Time::ZERO,
             errors: Stream::new(1, "bee", "actuation"),
             since: SimTime::ZERO,
             effort_m_s2: 0.0,
