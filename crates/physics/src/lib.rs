@@ -61,6 +61,7 @@
 //! 4. `grid`, `lists`: who might meet whom; `encounters`: the few pairs that must be remembered;
 //! 5. `queue`, `events`, `physics`: all bodies, through time.
 
+mod approach;
 mod body;
 mod command;
 mod contact;
@@ -78,11 +79,13 @@ mod queue;
 mod response;
 mod root;
 mod rotation;
+mod shape;
 mod support;
 
-pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, Shape, group};
+pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;
 pub use error::BodyError;
 pub use motion::{Motion, State};
 pub use physics::{Config, Physics, Tally};
+pub use shape::{HeightField, Hull, MassProperties, Mesh, Part, Shape};
 pub use support::Support;

@@ -1,6 +1,6 @@
 //! The table of all bodies: what its users see of it. How it works through time is in `events`.
 
-use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, Shape, group};
+use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::encounters::Encounters;
 use crate::error::{self, BodyError};
@@ -8,6 +8,7 @@ use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
+use crate::shape::Shape;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -78,8 +79,9 @@ pub(crate) struct Filter {
 
 impl Filter {
     fn new(spec: &BodySpec) -> Self {
-        // Boxes do not collide yet.
-        let none = spec.contacts == Contacts::None || matches!(spec.shape, Shape::Box { .. });
+        // Others do not collide yet.
+        let none =
+            spec.contacts == Contacts::None || !matches!(spec.shape, Shape::Sphere { .. });
         Self {
             group: spec.group,
             mask: spec.mask,
@@ -271,8 +273,8 @@ impl Physics {
     /// # Panics
     /// If `id` is not one of [`add`](Self::add) of this world.
     #[must_use]
-    pub fn shape(&self, id: BodyId) -> Shape {
-        self.shapes[id.index()]
+    pub fn shape(&self, id: BodyId) -> &Shape {
+        &self.shapes[id.index()]
     }
 
     /// Lets `motion` replace the body's segment from `now` on.
