@@ -1,12 +1,17 @@
 //! A shape made ready for queries.
 
-use super::Shape;
-use super::convert::{from_parry, to_parry, to_pose};
+use super::collider::collider;
+use super::convex::Convex;
+use super::hull::hull;
+use super::piece::Piece;
+use super::soup::{Bounds, Soup, Source, turned};
+use super::{Part, Shape};
 use crate::error::BodyError;
 use glam::{DQuat, DVec3};
 use parry3d_f64::math::Pose as ParryPose;
-use parry3d_f64::query;
 use parry3d_f64::shape::SharedShape;
+use std::fmt;
+use std::sync::{Arc, OnceLock};
 
 /// Where a body stands.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +25,7 @@ pub(crate) struct Place {
 /// What lies between two forms.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap {
-    /// Least distance, m; where they overlap, the depth, negative, if the pair knows it, else 0.
+    /// Least distance, m; where they overlap, the depth, negative.
     pub(crate) distance: f64,
     /// From the first to the second, unit, ENU: the normal of a plane between them.
     pub(crate) normal: DVec3,
@@ -42,40 +47,133 @@ impl Gap {
     }
 }
 
+/// What a form consists of.
+#[derive(Debug)]
+pub(crate) enum Solid {
+    /// All below the body's xy plane.
+    Plane,
+    /// One convex piece.
+    One(Piece),
+    /// Several; the gap to them is that to the nearest.
+    Many(Soup),
+}
+
 /// A shape made ready for queries: made once, shared by all bodies of that shape.
 pub(crate) struct Form {
-    shared: SharedShape,
-    pose: ParryPose,
-    ball: Option<f64>,
+    solid: Solid,
     radius: f64,
+    shape: Shape,
+    free: bool,
+    collider: OnceLock<(SharedShape, ParryPose)>,
+}
+
+impl fmt::Debug for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Form").field(&self.shape).finish()
+    }
+}
+
+/// The one piece of a simple shape; none for a shape of many, or a plane.
+fn piece(shape: &Shape, free: bool, place: Place) -> Result<Option<Piece>, BodyError> {
+    let solid = |points: &[DVec3]| {
+        hull(points)
+            .map(|hull| Convex::Hull(Arc::new(hull)))
+            .ok_or(BodyError::Flat {
+                shape: shape.name(),
+            })
+    };
+    let (core, margin) = match shape {
+        Shape::Sphere { radius_m } => (Convex::Point, *radius_m),
+        Shape::Box { half_m } => (Convex::Block { half: *half_m }, 0.0),
+        Shape::Cylinder {
+            radius_m: radius,
+            half_height_m: half,
+        } => {
+            let (radius, half) = (*radius, *half);
+            (Convex::Cylinder { radius, half }, 0.0)
+        }
+        Shape::Cone {
+            radius_m: radius,
+            half_height_m: half,
+        } => {
+            let (radius, half) = (*radius, *half);
+            (Convex::Cone { radius, half }, 0.0)
+        }
+        Shape::Capsule {
+            radius_m,
+            half_height_m: half,
+        } => (Convex::Segment { half: *half }, *radius_m),
+        Shape::Hull(hull) => (solid(&hull.points_m)?, 0.0),
+        Shape::Mesh(mesh) if free => (solid(&mesh.points_m)?, 0.0),
+        _ => return Ok(None),
+    };
+    Ok(Some(Piece::new(core, margin, place)))
+}
+
+/// Appends the pieces of all parts.
+fn pieces(
+    parts: &[Part],
+    at: Place,
+    free: bool,
+    found: &mut Vec<Piece>,
+) -> Result<(), BodyError> {
+    for part in parts {
+        let place = at.then(part.place());
+        let mut triangle = |corners: [DVec3; 3]| {
+            let corners = corners.map(|corner| place.p + place.q * corner);
+            found.push(Piece::triangle(corners));
+        };
+        match &part.shape {
+            Shape::Compound(parts) => pieces(parts, place, free, found)?,
+            Shape::Mesh(mesh) if !free => {
+                for corners in &mesh.triangles {
+                    triangle(mesh.corners(*corners));
+                }
+            }
+            Shape::HeightField(field) => field.cells().flatten().for_each(triangle),
+            shape => found.extend(piece(shape, free, place)?),
+        }
+    }
+    Ok(())
 }
 
 impl Form {
     /// The form of a checked shape. `free`: it belongs to a body that moves freely, so that a mesh
     /// counts as its convex hull.
     pub(crate) fn new(shape: &Shape, free: bool) -> Result<Self, BodyError> {
-        let _ = free;
-        let (shared, ball) = match shape {
-            Shape::Sphere { radius_m } => (SharedShape::ball(*radius_m), Some(*radius_m)),
-            Shape::Box { half_m } => (SharedShape::cuboid(half_m.x, half_m.y, half_m.z), None),
-            shape => {
-                return Err(BodyError::ShapeMoves {
-                    shape: shape.name(),
-                });
+        let solid = match shape {
+            Shape::Plane => Solid::Plane,
+            Shape::Mesh(mesh) if !free => Solid::Many(Soup::new(Source::Mesh(mesh.clone()))),
+            Shape::HeightField(field) => Solid::Many(Soup::new(Source::Field(field.clone()))),
+            Shape::Compound(parts) => {
+                let mut found = Vec::new();
+                pieces(parts, Place::IDENTITY, free, &mut found)?;
+                match <[Piece; 1]>::try_from(found) {
+                    Ok([one]) => Solid::One(one),
+                    Err(several) => Solid::Many(Soup::new(Source::Pieces(several))),
+                }
             }
+            shape => match piece(shape, free, Place::IDENTITY)? {
+                Some(one) => Solid::One(one),
+                None => Solid::Plane,
+            },
         };
         Ok(Self {
-            shared,
-            pose: ParryPose::identity(),
-            ball,
+            solid,
             radius: shape.bounding_radius_m(),
+            shape: shape.clone(),
+            free,
+            collider: OnceLock::new(),
         })
     }
 
-    /// The radius, of a ball.
+    /// The radius, of a ball about the origin.
     #[inline]
     pub(crate) fn ball(&self) -> Option<f64> {
-        self.ball
+        match &self.solid {
+            Solid::One(piece) => piece.ball(),
+            _ => None,
+        }
     }
 
     /// Radius of the bounding ball about the origin, m.
@@ -84,52 +182,82 @@ impl Form {
         self.radius
     }
 
-    /// The least box along the world's axes that holds the form: least and greatest corner, ENU, m.
-    pub(crate) fn bounds(&self, at: Place) -> [DVec3; 2] {
-        let bounds = self.shared.compute_aabb(&(to_pose(at) * self.pose));
-        [from_parry(bounds.mins), from_parry(bounds.maxs)]
+    /// What it consists of.
+    #[inline]
+    pub(crate) fn solid(&self) -> &Solid {
+        &self.solid
+    }
+
+    /// A box along the world's axes that holds the form: least and greatest corner, ENU, m. The least
+    /// such box, of a convex form.
+    pub(crate) fn bounds(&self, at: Place) -> Bounds {
+        match &self.solid {
+            Solid::Plane => [DVec3::NEG_INFINITY, DVec3::INFINITY],
+            Solid::One(piece) => piece.bounds(at),
+            Solid::Many(soup) => turned(at, soup.bounds()),
+        }
     }
 
     /// What lies between this form and another.
     pub(crate) fn gap(&self, at: Place, other: &Self, other_at: Place) -> Gap {
-        let here = to_pose(Place { p: DVec3::ZERO, ..at });
-        let there = to_pose(Place {
-            p: other_at.p - at.p,
-            ..other_at
-        });
-        let contact = query::contact(&here, &*self.shared, &there, &*other.shared, f64::MAX)
-            .ok()
-            .flatten();
-        contact.map_or(
-            Gap {
-                distance: 0.0,
-                normal: DVec3::Z,
-                here: at.p,
-                there: other_at.p,
-            },
-            |contact| Gap {
-                distance: contact.dist,
-                normal: from_parry(contact.normal1),
-                here: at.p + from_parry(contact.point1),
-                there: at.p + from_parry(contact.point2),
-            },
-        )
-    }
-
-    /// What lies between this form and the ground, the plane at up = 0.
-    pub(crate) fn gap_to_ground(&self, at: Place) -> Gap {
-        let lowest = self.bounds(at)[0];
-        let here = DVec3::new(at.p.x, at.p.y, lowest.z);
-        Gap {
-            distance: lowest.z,
-            normal: -DVec3::Z,
-            here,
-            there: here.truncate().extend(0.0),
+        match (&self.solid, &other.solid) {
+            (Solid::One(here), Solid::One(there)) => here.gap(at, there, other_at),
+            (_, Solid::One(there)) => self.gap_to_piece(at, there, other_at),
+            (_, Solid::Plane) => self.gap_to_plane(at, other_at.p, other_at.q * DVec3::Z),
+            (Solid::Plane, _) => other
+                .gap_to_plane(other_at, at.p, at.q * DVec3::Z)
+                .flipped(),
+            (_, Solid::Many(soup)) => {
+                let bounds = self.bounds(other_at.of(at));
+                let gap = |there: &Piece| self.gap_to_piece(at, there, other_at).flipped();
+                let least = soup.least(bounds, gap);
+                least.map_or_else(|| nothing(at, other_at), Gap::flipped)
+            }
         }
     }
 
+    /// What lies between this form and one piece of another.
+    fn gap_to_piece(&self, at: Place, there: &Piece, there_at: Place) -> Gap {
+        match &self.solid {
+            Solid::Plane => there
+                .gap_to_plane(there_at, at.p, at.q * DVec3::Z)
+                .flipped(),
+            Solid::One(here) => here.gap(at, there, there_at),
+            Solid::Many(soup) => {
+                let bounds = there.bounds(at.of(there_at));
+                let gap = |here: &Piece| here.gap(at, there, there_at);
+                soup.least(bounds, gap)
+                    .unwrap_or_else(|| nothing(at, there_at))
+            }
+        }
+    }
+
+    /// What lies between this form and all below a plane through `foot` with the unit normal `up`.
+    pub(crate) fn gap_to_plane(&self, at: Place, foot: DVec3, up: DVec3) -> Gap {
+        match &self.solid {
+            Solid::Plane => nothing(at, Place { p: foot, ..at }),
+            Solid::One(piece) => piece.gap_to_plane(at, foot, up),
+            Solid::Many(soup) => {
+                let mut least: Option<Gap> = None;
+                soup.each(&mut |piece| {
+                    let gap = piece.gap_to_plane(at, foot, up);
+                    if least.is_none_or(|least| gap.distance < least.distance) {
+                        least = Some(gap);
+                    }
+                });
+                least.unwrap_or_else(|| nothing(at, Place { p: foot, ..at }))
+            }
+        }
+    }
+
+    /// What lies between this form and the ground, the plane at up = 0.
+    #[inline]
+    pub(crate) fn gap_to_ground(&self, at: Place) -> Gap {
+        self.gap_to_plane(at, DVec3::ZERO, DVec3::Z)
+    }
+
     /// Where a ray of unit direction first meets the form within `max_m`: distance, and the surface's
-    /// outward normal.
+    /// outward normal, ENU. A ray that begins inside meets it at once, head on.
     pub(crate) fn cast_ray(
         &self,
         at: Place,
@@ -137,10 +265,25 @@ impl Form {
         direction: DVec3,
         max_m: f64,
     ) -> Option<(f64, DVec3)> {
-        let pose = to_pose(Place { p: DVec3::ZERO, ..at });
-        let ray = query::Ray::new(to_parry(from - at.p), to_parry(direction));
-        let hit = self.shared.cast_ray_and_get_normal(&pose, &ray, max_m, true)?;
-        Some((hit.time_of_impact, from_parry(hit.normal)))
+        let hit = match &self.solid {
+            Solid::Plane => {
+                let up = at.q * DVec3::Z;
+                let height = (from - at.p).dot(up);
+                let sink = -direction.dot(up);
+                if height <= 0.0 {
+                    Some((0.0, -direction))
+                } else {
+                    (sink > 0.0).then(|| (height / sink, up))
+                }
+            }
+            Solid::One(piece) => piece.cast_ray(at, from, direction),
+            Solid::Many(soup) => {
+                let back = at.q.conjugate();
+                soup.cast_ray(back * (from - at.p), back * direction, max_m)
+                    .map(|(distance, normal)| (distance, at.q * normal))
+            }
+        };
+        hit.filter(|(distance, _)| *distance <= max_m)
     }
 
     /// Where `other`, moved from `other_at` along a unit direction, first meets this form within `max_m`:
@@ -172,8 +315,21 @@ impl Form {
         None
     }
 
-    /// The collider for rapier, and its pose in the body.
+    /// The collider for rapier, and its pose in the body; made at the first call.
     pub(crate) fn shared(&self) -> (&SharedShape, ParryPose) {
-        (&self.shared, self.pose)
+        let (shape, pose) = self
+            .collider
+            .get_or_init(|| collider(&self.shape, self.free));
+        (shape, *pose)
+    }
+}
+
+/// The gap between forms of which one has no points.
+fn nothing(at: Place, other_at: Place) -> Gap {
+    Gap {
+        distance: f64::INFINITY,
+        normal: DVec3::Z,
+        here: at.p,
+        there: other_at.p,
     }
 }

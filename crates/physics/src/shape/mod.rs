@@ -3,12 +3,18 @@
 
 mod check;
 pub(crate) mod convert;
+mod collider;
 mod convex;
 pub(crate) mod form;
+mod hull;
 mod mass;
+pub(crate) mod piece;
+mod ray;
+mod soup;
 
 pub use mass::MassProperties;
 
+use form::Place;
 use glam::{DVec2, DVec3};
 use simbeeotic_units::Attitude;
 use std::sync::Arc;
@@ -194,6 +200,16 @@ impl Shape {
             Self::Mesh(_) => "mesh",
             Self::HeightField(_) => "height field",
             Self::Compound(_) => "compound",
+        }
+    }
+}
+
+impl Part {
+    /// Where it stands in the body.
+    fn place(&self) -> Place {
+        Place {
+            p: self.offset_m,
+            q: self.attitude.quat().normalize(),
         }
     }
 }
