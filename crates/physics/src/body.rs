@@ -147,6 +147,9 @@ pub struct BodySpec {
     pub gravity: bool,
     /// Who moves it.
     pub mobility: Mobility,
+    /// Whether a ball rolls where it lies; otherwise it slides, upright, as on landing gear. Other shapes
+    /// turn as contact turns them.
+    pub rolls: bool,
 }
 
 impl BodySpec {
@@ -168,6 +171,7 @@ impl BodySpec {
             mask: group::ALL,
             gravity: true,
             mobility: Mobility::Free,
+            rolls: false,
         }
     }
 

@@ -268,7 +268,7 @@ impl Motion {
         self.moved("a position")?;
         error::bounded("position [m]", p, limits::POSITION_M_MAX)?;
         self.advance(t)?;
-        if p.z != self.p.z {
+        if p.z != self.p.z && self.support != Support::Island {
             self.support = Support::None;
         }
         self.p = p;

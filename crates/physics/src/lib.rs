@@ -69,6 +69,8 @@ mod encounters;
 mod error;
 mod events;
 mod grid;
+mod island;
+mod islands;
 pub mod limits;
 mod lists;
 mod motion;
@@ -80,6 +82,7 @@ mod response;
 mod root;
 mod rotation;
 mod shape;
+mod stepping;
 mod support;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};

@@ -4,6 +4,7 @@ use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::encounters::Encounters;
 use crate::error::{self, BodyError};
+use crate::islands::Islands;
 use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
@@ -21,6 +22,11 @@ pub struct Config {
     pub ground: Option<Material>,
     /// Time between two listings of who may meet whom, 1 ms to 1000 s. Changes the cost, never a result.
     pub list_period: Time,
+    /// Time between two steps of bodies in lasting contact, 0.1 ms to 20 ms.
+    pub island_step: Time,
+    /// How often a step goes over the contacts of an island, 1 to 64: more for higher stacks, and for
+    /// heavy bodies upon light ones. The cost grows in proportion.
+    pub solver_iterations: usize,
     /// Whether bodies that touch nobody are listed too, so that [`Physics::near`] is quick for them.
     /// Costs one pass over all bodies each `list_period`.
     pub list_all: bool,
@@ -32,6 +38,8 @@ impl Default for Config {
             gravity: simbeeotic_units::constants::STANDARD_GRAVITY,
             ground: Some(Material::default()),
             list_period: Time::from_millis(100.0),
+            island_step: Time::si(1.0 / 240.0),
+            solver_iterations: 4,
             list_all: false,
         }
     }
@@ -50,6 +58,13 @@ impl Config {
             limits::ACCELERATION_M_S2_MAX,
         )?;
         error::ranged("list_period [s]", self.list_period.get(), 1e-3, 1e3)?;
+        error::ranged("island_step [s]", self.island_step.get(), 1e-4, 2e-2)?;
+        error::ranged(
+            "solver_iterations",
+            self.solver_iterations as f64,
+            1.0,
+            64.0,
+        )?;
         self.ground.as_ref().map_or(Ok(()), Material::check)
     }
 }
@@ -97,6 +112,11 @@ impl Filter {
             && !(self.none || other.none)
     }
 
+    /// The groups it is in, and those it collides with.
+    pub(crate) fn groups(self) -> [u16; 2] {
+        [self.group, self.mask]
+    }
+
     fn meets_ground(self) -> bool {
         self.mask & group::TERRAIN != 0 && !self.fixed && !self.none
     }
@@ -142,6 +162,7 @@ pub struct Physics {
     pub(crate) lists: Lists,
     pub(crate) queue: Queue,
     pub(crate) encounters: Encounters,
+    pub(crate) islands: Islands,
     pub(crate) dirty: Vec<u32>,
     /// Bodies with no place in the lists.
     pub(crate) unlisted: Vec<u32>,
@@ -197,6 +218,10 @@ impl Physics {
             lists: Lists::default(),
             queue: Queue::default(),
             encounters: Encounters::default(),
+            islands: Islands::new(
+                (config.island_step.get() * 1e9).round() as u64,
+                config.solver_iterations,
+            ),
             dirty: Vec::new(),
             unlisted: Vec::new(),
             horizon: SimTime::MAX,
@@ -219,6 +244,7 @@ impl Physics {
             .ok()
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
+        self.islands.add(&spec)?;
         let friction = self
             .ground
             .map_or(0.0, |ground| ground.against(&spec.material).friction);
