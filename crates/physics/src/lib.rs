@@ -82,8 +82,10 @@ mod response;
 mod root;
 mod rotation;
 mod shape;
+mod statics;
 mod stepping;
 mod support;
+mod tree;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;

@@ -9,6 +9,9 @@ use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
+use crate::shape::form::{Form, Place};
+use crate::statics::Statics;
+use crate::tree::Bounds;
 use crate::shape::Shape;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
@@ -156,15 +159,17 @@ pub struct Physics {
     pub(crate) filters: Vec<Filter>,
     pub(crate) materials: Vec<Material>,
     pub(crate) shapes: Vec<Shape>,
+    pub(crate) forms: Vec<Form>,
     /// When a review of each body is in the queue; [`SimTime::MAX`] if none is.
     pub(crate) reviews: Vec<SimTime>,
 
+    pub(crate) statics: Statics,
     pub(crate) lists: Lists,
     pub(crate) queue: Queue,
     pub(crate) encounters: Encounters,
     pub(crate) islands: Islands,
     pub(crate) dirty: Vec<u32>,
-    /// Bodies with no place in the lists.
+    /// Bodies that may move and have no place in the lists.
     pub(crate) unlisted: Vec<u32>,
     /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
     /// touch something.
@@ -214,7 +219,9 @@ impl Physics {
             filters: Vec::new(),
             materials: Vec::new(),
             shapes: Vec::new(),
+            forms: Vec::new(),
             reviews: Vec::new(),
+            statics: Statics::default(),
             lists: Lists::default(),
             queue: Queue::default(),
             encounters: Encounters::default(),
@@ -244,6 +251,7 @@ impl Physics {
             .ok()
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
+        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
         self.islands.add(&spec)?;
         let friction = self
             .ground
@@ -259,6 +267,7 @@ impl Physics {
         self.filters.push(Filter::new(&spec));
         self.materials.push(spec.material);
         self.shapes.push(spec.shape);
+        self.forms.push(form);
         self.reviews.push(SimTime::MAX);
         self.dirty.push(id);
         self.grown = true;
@@ -366,11 +375,23 @@ impl Physics {
             if self.list_all {
                 *duty |= duty::LISTED;
             }
-            if *duty & duty::LISTED == 0 {
+            if *duty & duty::LISTED == 0 && !filter.fixed {
                 self.unlisted.push(id as u32);
             }
         }
+        self.statics = Statics::new(self.fixed());
         self.grown = false;
+    }
+
+    /// The fixed bodies and their bounds.
+    fn fixed(&self) -> impl Iterator<Item = (u32, Bounds)> {
+        let bodies = self.motions.iter().zip(&self.forms).enumerate();
+        bodies
+            .filter(|(_, (motion, _))| motion.mobility == Mobility::Fixed)
+            .map(|(id, (motion, form))| {
+                let (p, q) = (motion.p, motion.q);
+                (id as u32, form.bounds(Place { p, q }))
+            })
     }
 
     /// Whether anything about a body has to be foreseen.
