@@ -31,12 +31,17 @@ pub fn bodies<'a>(object: &'a Object<'_>) -> impl Iterator<Item = BodySpec> + 'a
     })
 }
 
-/// Whether physics takes an object.
+/// Whether physics takes a solid as the shape of an object.
 ///
 /// # Errors
-/// What is wrong with the first of its solids that it does not take: a hull without volume, say.
-pub fn check(object: &Object<'_>) -> Result<(), BodyError> {
-    bodies(object).try_for_each(|body| body.check())
+/// What is wrong with it: a hull without volume, say.
+pub fn check(solid: &Solid) -> Result<(), BodyError> {
+    BodySpec {
+        inertia_kg_m2: glam::DVec3::ONE,
+        mobility: Mobility::Fixed,
+        ..BodySpec::new(shape(solid), 1.0)
+    }
+    .check()
 }
 
 fn shape(solid: &Solid) -> Shape {

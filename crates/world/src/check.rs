@@ -117,7 +117,10 @@ impl Faults {
         let near = |x: f64| x.abs() <= most_m;
         if !place.to_array().into_iter().all(near) {
             let most = Length::si(most_m);
-            self.fault(key, format!("`{key}` lies within {most} along each axis"));
+            self.fault(
+                key,
+                format!("this is farther than {most} away along an axis"),
+            );
         }
     }
 
