@@ -1,13 +1,11 @@
 //! The convex solids of which every form consists: where they reach farthest, and where they are nearest
 //! to a point.
 
-use super::convert::{from_parry, to_parry, to_pose};
+use super::convert::{from_parry, to_parry};
 use super::form::Place;
 use super::hull::Polytope;
 use glam::{DVec2, DVec3};
 use parry3d_f64::math::Vector;
-use parry3d_f64::query::details::contact_support_map_support_map_with_params as separate;
-use parry3d_f64::query::gjk::{GJKResult, VoronoiSimplex};
 use parry3d_f64::shape::SupportMap;
 use std::sync::Arc;
 
@@ -106,7 +104,7 @@ impl Convex {
             Self::Cylinder { radius, half } | Self::Cone { radius, half } => {
                 DVec2::new(*radius, *half).length()
             }
-            Self::Hull(hull) => farthest(&hull.points),
+            Self::Hull(hull) => hull.reach,
             Self::Triangle(corners) => farthest(corners),
         }
     }
@@ -131,48 +129,6 @@ impl Convex {
                 let normal = (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::Z);
                 outside(nearest_of_triangle(a, b, c, p), p, normal)
             }
-        }
-    }
-
-    /// What lies between this solid and `other`, which stands at `place` in this one's frame.
-    pub(crate) fn between(&self, other: &Self, place: Place) -> Nearest {
-        let pose = to_pose(place);
-        let mut simplex = VoronoiSimplex::new();
-        match separate(&pose, self, other, f64::MAX, &mut simplex, None) {
-            GJKResult::ClosestPoints(here, there, normal) => {
-                let (here, there) = (from_parry(here), from_parry(there));
-                let normal = from_parry(normal);
-                let way = there - here;
-                let along = way.dot(normal);
-                let length = way.length();
-                // The points are better than the direction of the last step, unless they coincide.
-                let (distance, normal) = if along > 0.0 && length > 1e-12 {
-                    (length, way / length)
-                } else {
-                    (along, normal)
-                };
-                Nearest {
-                    distance,
-                    normal,
-                    here,
-                    there,
-                }
-            }
-            _ => self.along_centres(other, place),
-        }
-    }
-
-    /// What lies between two solids along the line of their origins: for the case that the search for
-    /// better fails.
-    fn along_centres(&self, other: &Self, place: Place) -> Nearest {
-        let normal = place.p.try_normalize().unwrap_or(DVec3::Z);
-        let here = self.support(normal);
-        let there = place.p + place.q * other.support(place.q.inverse() * -normal);
-        Nearest {
-            distance: (there - here).dot(normal),
-            normal,
-            here,
-            there,
         }
     }
 }

@@ -333,3 +333,76 @@ fn nothing(at: Place, other_at: Place) -> Gap {
         there: other_at.p,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Form, Place};
+    use crate::shape::{Hull, Part, Shape};
+    use glam::{DQuat, DVec3};
+    use simbeeotic_kernel::Stream;
+    use simbeeotic_units::Attitude;
+    use std::sync::Arc;
+
+    fn turn(stream: &mut Stream) -> DQuat {
+        crate::rotation::turn_by(stream.in_ball(3.0))
+    }
+
+    /// One of the convex shapes, of a size about 1 m.
+    fn convex(stream: &mut Stream) -> Shape {
+        let mut size = || 0.1 + stream.uniform();
+        let (radius_m, half_height_m) = (size(), size());
+        let half_m = DVec3::new(size(), size(), size());
+        match stream.below(6) {
+            0 => Shape::Sphere { radius_m },
+            1 => Shape::Box { half_m },
+            2 => Shape::Cylinder {
+                radius_m,
+                half_height_m,
+            },
+            3 => Shape::Cone {
+                radius_m,
+                half_height_m,
+            },
+            4 => Shape::Capsule {
+                radius_m,
+                half_height_m,
+            },
+            _ => Shape::Hull(Arc::new(Hull {
+                points_m: (0..12).map(|_| stream.in_ball(1.0)).collect(),
+            })),
+        }
+    }
+
+    #[test]
+    fn probe_gjk() {
+        let mut stream = Stream::new(1, "forms", "test");
+        let mut worst = [[0.0_f64; 3]; 12];
+        let mut over = [0; 12];
+        for _ in 0..200_000 {
+            let (a, b) = (convex(&mut stream), convex(&mut stream));
+            let (fa, fb) = (Form::new(&a, true).unwrap(), Form::new(&b, true).unwrap());
+            let at = Place { p: stream.in_ball(1.0), q: turn(&mut stream) };
+            let dir = stream.unit_vector();
+            let qb = turn(&mut stream);
+            let far = Place { p: at.p + dir * 5.0, q: qb };
+            let Some((way, _)) = fa.cast_form(at, &fb, far, -dir, 10.0) else { continue };
+            // at several distances from touch
+            for k in 0..12 {
+                let eps = if k < 10 { 10f64.powi(-(k as i32)) } else { -10f64.powi(-(k as i32 - 4)) };
+                let there = Place { p: far.p - dir * (way - eps), q: qb };
+                let g = fa.gap(at, &fb, there);
+                // lower bound from supports
+                let (super::Solid::One(pa), super::Solid::One(pb)) = (fa.solid(), fb.solid()) else { continue };
+                let sa = at.p + pa.support(at.q, g.normal) + g.normal * pa.margin();
+                let sb = there.p + pb.support(there.q, -g.normal) - g.normal * pb.margin();
+                let low = (sb - sa).dot(g.normal);
+                let e = (g.distance - low).abs();
+                if e > worst[k][0] { worst[k][0] = e; if e > 1e-4 { println!("{k} {a:?} {b:?} d {} low {low} ", g.distance); } }
+                worst[k][1] = worst[k][1].max(g.distance);
+                worst[k][2] = worst[k][2].min(g.distance);
+                if e > 1e-6 { over[k] += 1; }
+            }
+        }
+        for k in 0..12 { println!("{k}: {:?} {}", worst[k], over[k]); }
+    }
+}

@@ -18,6 +18,8 @@ pub(crate) struct Polytope {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// The planes of the triangles: outward unit normal, and its product with a point of the plane.
     pub(crate) planes: Vec<(DVec3, f64)>,
+    /// Distance from the origin to the farthest corner.
+    pub(crate) reach: f64,
 }
 
 /// One face while the hull grows.
@@ -119,8 +121,10 @@ impl Polytope {
         used.sort_unstable();
         used.dedup();
         let place = |corner: usize| used.partition_point(|k| *k < corner) as u32;
+        let points: Vec<DVec3> = used.iter().map(|k| points[*k]).collect();
         Self {
-            points: used.iter().map(|k| points[*k]).collect(),
+            reach: points.iter().map(|p| p.length()).fold(0.0, f64::max),
+            points,
             triangles: faces.iter().map(|face| face.corners.map(place)).collect(),
             planes: faces
                 .iter()

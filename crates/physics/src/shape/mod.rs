@@ -10,6 +10,7 @@ mod hull;
 mod mass;
 pub(crate) mod piece;
 mod ray;
+mod separation;
 mod soup;
 
 pub use mass::MassProperties;
