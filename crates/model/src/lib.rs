@@ -31,6 +31,7 @@ pub mod instance;
 mod kit;
 pub mod message;
 pub mod model;
+pub mod objects;
 pub mod population;
 pub mod registry;
 pub mod sensor;
@@ -46,7 +47,7 @@ pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
 pub use energy::{Accounts, Consumer};
 pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Station};
-pub use message::{Message, Touch};
+pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
 pub use registry::{FromParams, Radio};
@@ -85,7 +86,7 @@ pub mod prelude {
     };
     pub use crate::{
         Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor,
-        TimerHandle, Touch, Truth,
+        Thing, TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

@@ -2,6 +2,7 @@
 
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_units::{Enu, ImpulseVec, Position, Velocity};
+use simbeeotic_world::ObjectId;
 use std::any::Any;
 use std::fmt;
 
@@ -29,13 +30,43 @@ impl fmt::Debug for Message {
     }
 }
 
+/// What a body can touch and a ray can meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Thing {
+    /// The plane at up = 0.
+    Ground,
+    /// The body of a model.
+    Model(ModelId),
+    /// An object of the world. [`World::label_of`](simbeeotic_world::World::label_of) and
+    /// [`World::meta_of`](simbeeotic_world::World::meta_of) say what is written on it.
+    Object(ObjectId),
+}
+
+impl Thing {
+    /// The model, if it is one.
+    pub const fn model(self) -> Option<ModelId> {
+        match self {
+            Self::Model(id) => Some(id),
+            _ => None,
+        }
+    }
+
+    /// The object of the world, if it is one.
+    pub const fn object(self) -> Option<ObjectId> {
+        match self {
+            Self::Object(id) => Some(id),
+            _ => None,
+        }
+    }
+}
+
 /// The body of a model touched something.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// The instant of impact.
     pub time: SimTime,
-    /// Whom it touched; `None` is the ground.
-    pub other: Option<ModelId>,
+    /// What it touched.
+    pub other: Thing,
     /// Where, world frame.
     pub point: Position,
     /// Unit normal, world frame, pointing away from the own body.

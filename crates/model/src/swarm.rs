@@ -11,7 +11,7 @@
 use crate::energy::{Accounts, Consumer};
 use crate::fold;
 use crate::host::Cx;
-use crate::message::{Message, Touch};
+use crate::message::{Message, Thing, Touch};
 use crate::model::{Model, Wake as ModelWake};
 use crate::population::Population;
 use crate::timer::TimerHandle;
@@ -119,14 +119,14 @@ const _: () = assert!(size_of::<Effect>() == size_of::<Motion>());
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Mark {
-    /// Two bodies touched; `None` is the ground.
+    /// A body touched something.
     Touch {
         /// When.
         time: SimTime,
         /// Who.
         a: ModelId,
-        /// Whom.
-        b: Option<ModelId>,
+        /// What.
+        b: Thing,
     },
     /// A model wrote a line.
     Log {
@@ -164,8 +164,8 @@ pub struct Swarm {
     pub(crate) keys: Vec<u64>,
     /// Each model's body.
     pub(crate) bodies: Vec<Option<BodyId>>,
-    /// Each body's model.
-    pub(crate) owners: Vec<ModelId>,
+    /// What each body is: first those of models, then the objects of the world.
+    pub(crate) owners: Vec<Thing>,
     /// Messages under way.
     pub(crate) mail: MailRoom,
     /// Contacts resolved in this round.
@@ -251,7 +251,9 @@ impl Swarm {
     ) -> Vec<ModelId> {
         let mut bodies = Vec::new();
         self.physics.near(at.si(), radius.get(), now, &mut bodies);
-        let owners = bodies.iter().map(|body| self.owners[body.0 as usize]);
+        let owners = bodies
+            .iter()
+            .filter_map(|body| self.owners[body.index()].model());
         let mut models: Vec<_> = owners.filter(|id| *id != but).collect();
         models.sort_unstable();
         models
@@ -281,17 +283,25 @@ impl Swarm {
         self.physics.advance(now, &mut self.contacts);
         for at in 0..self.contacts.len() {
             let contact = self.contacts[at];
-            let a = self.owners[contact.a.0 as usize];
-            let b = contact.b.map(|b| self.owners[b.0 as usize]);
+            // Objects come after all models and do not touch each other: `a` is a model.
+            let Thing::Model(a) = self.owners[contact.a.index()] else {
+                continue;
+            };
+            let b = contact.b.map_or(Thing::Ground, |b| self.owners[b.index()]);
             round.fold(self.keys[a.index()]);
-            round.fold(b.map_or(0, |b| self.keys[b.index()]));
+            round.fold(match b {
+                Thing::Ground => 0,
+                Thing::Model(b) => self.keys[b.index()],
+                Thing::Object(b) => b.key(),
+            });
             round.fold(fold::vector(contact.impulse_enu));
             self.touch_count += 1;
             self.mark(|| Mark::Touch { time: now, a, b });
             self.touches.push((a, touch(&contact, now, b, 1.0)));
             round.visit(a);
-            if let Some(b) = b {
-                self.touches.push((b, touch(&contact, now, Some(a), -1.0)));
+            if let Thing::Model(b) = b {
+                let seen = touch(&contact, now, Thing::Model(a), -1.0);
+                self.touches.push((b, seen));
                 round.visit(b);
             }
         }
@@ -320,7 +330,7 @@ impl Swarm {
 }
 
 /// A contact as one of its two bodies sees it; `side` is 1 for body a, -1 for body b.
-fn touch(contact: &Contact, time: SimTime, other: Option<ModelId>, side: f64) -> Touch {
+fn touch(contact: &Contact, time: SimTime, other: Thing, side: f64) -> Touch {
     Touch {
         time,
         other,

@@ -1,7 +1,8 @@
-//! What a body is: shape, mass, surface, and whom it may touch.
+//! What a body is: mass, surface, and whom it may touch.
 
 use crate::error::{self, BodyError};
 use crate::limits;
+use crate::shape::Shape;
 use glam::DVec3;
 use simbeeotic_units::Attitude;
 
@@ -16,60 +17,6 @@ impl BodyId {
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
-    }
-}
-
-/// The outline of a body, about its centre of mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Shape {
-    /// A ball.
-    Sphere {
-        /// Radius in metres, above 0. Kept to 24 bits (7 digits).
-        radius_m: f64,
-    },
-    /// A block along the body axes, for fixed bodies. It does not collide yet.
-    Box {
-        /// Half of its length, width and height in metres, each above 0.
-        half_m: DVec3,
-    },
-}
-
-impl Shape {
-    /// Radius of the smallest ball about the centre of mass that holds the shape, m.
-    #[must_use]
-    pub fn bounding_radius_m(&self) -> f64 {
-        match *self {
-            Self::Sphere { radius_m } => radius_m,
-            Self::Box { half_m } => half_m.length(),
-        }
-    }
-
-    /// Moments of inertia about the body axes of a solid of even density, kg m^2.
-    #[must_use]
-    pub fn inertia_kg_m2(&self, mass_kg: f64) -> DVec3 {
-        match *self {
-            Self::Sphere { radius_m } => DVec3::splat(0.4 * mass_kg * radius_m * radius_m),
-            Self::Box { half_m } => {
-                let square = half_m * half_m;
-                DVec3::new(
-                    square.y + square.z,
-                    square.z + square.x,
-                    square.x + square.y,
-                ) * (mass_kg / 3.0)
-            }
-        }
-    }
-
-    fn check(&self) -> Result<(), BodyError> {
-        match *self {
-            Self::Sphere { radius_m } => {
-                error::positive("radius [m]", radius_m, limits::EXTENT_M_MAX)
-            }
-            Self::Box { half_m } => half_m.to_array().into_iter().try_for_each(|half| {
-                error::positive("half extent [m]", half, limits::EXTENT_M_MAX)
-            }),
-        }
     }
 }
 
@@ -169,9 +116,9 @@ pub mod group {
 ///     ..BodySpec::new(Shape::Sphere { radius_m: 0.1 }, 0.128)
 /// };
 /// assert!(spec.check().is_ok());
-/// assert!(BodySpec { mass_kg: 0.0, ..spec }.check().is_err());
+/// assert!(BodySpec { mass_kg: 0.0, ..spec.clone() }.check().is_err());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BodySpec {
     /// Outline.
     pub shape: Shape,
@@ -200,6 +147,9 @@ pub struct BodySpec {
     pub gravity: bool,
     /// Who moves it.
     pub mobility: Mobility,
+    /// Whether a ball rolls where it lies; otherwise it slides, upright, as on landing gear. Other shapes
+    /// turn as contact turns them.
+    pub rolls: bool,
 }
 
 impl BodySpec {
@@ -208,9 +158,9 @@ impl BodySpec {
     #[must_use]
     pub fn new(shape: Shape, mass_kg: f64) -> Self {
         Self {
-            shape,
             mass_kg,
             inertia_kg_m2: shape.inertia_kg_m2(mass_kg),
+            shape,
             p_enu: DVec3::ZERO,
             attitude: Attitude::default(),
             v_enu: DVec3::ZERO,
@@ -221,6 +171,7 @@ impl BodySpec {
             mask: group::ALL,
             gravity: true,
             mobility: Mobility::Free,
+            rolls: false,
         }
     }
 

@@ -268,7 +268,7 @@ impl Motion {
         self.moved("a position")?;
         error::bounded("position [m]", p, limits::POSITION_M_MAX)?;
         self.advance(t)?;
-        if p.z != self.p.z {
+        if p.z != self.p.z && self.support != Support::Island {
             self.support = Support::None;
         }
         self.p = p;
@@ -307,5 +307,96 @@ impl Motion {
         self.advance(t)?;
         self.q = rotation::unit(self.q * rotation::turn_by(turn));
         Ok(())
+    }
+}
+
+/// The same commands in the other frame: forces and impulses in the body's, torques and rates in the
+/// world's. They are turned once, by the attitude at `t`: what acts on from then on keeps its direction
+/// in the frame that its kind has (forces in the world, torques in the body).
+impl Motion {
+    /// Lets `force` [FLU, N] act on the centre of mass from `t` on, in place of what acted before.
+    ///
+    /// # Errors
+    /// As [`set_force`](Self::set_force).
+    pub fn set_force_flu(&mut self, t: SimTime, force: DVec3) -> Result<(), BodyError> {
+        self.set_force(t, self.attitude(t) * force)
+    }
+
+    /// Lets `force` [FLU, N] act on the centre of mass from `t` on, besides what acts already.
+    ///
+    /// # Errors
+    /// As [`add_force`](Self::add_force).
+    pub fn add_force_flu(&mut self, t: SimTime, force: DVec3) -> Result<(), BodyError> {
+        self.add_force(t, self.attitude(t) * force)
+    }
+
+    /// Lets `force` [FLU, N] act at `arm` [FLU, m, from the centre of mass] from `t` on, besides what
+    /// acts already.
+    ///
+    /// # Errors
+    /// As [`add_force_at`](Self::add_force_at).
+    pub fn add_force_at_flu(
+        &mut self,
+        t: SimTime,
+        force: DVec3,
+        arm: DVec3,
+    ) -> Result<(), BodyError> {
+        let world_from_body = self.attitude(t);
+        self.add_force_at(t, world_from_body * force, world_from_body * arm)
+    }
+
+    /// Lets `torque` [ENU, N m] act from `t` on, in place of what acted before.
+    ///
+    /// # Errors
+    /// As [`set_torque`](Self::set_torque).
+    pub fn set_torque_enu(&mut self, t: SimTime, torque: DVec3) -> Result<(), BodyError> {
+        self.set_torque(t, self.attitude(t).conjugate() * torque)
+    }
+
+    /// Lets `torque` [ENU, N m] act from `t` on, besides what acts already.
+    ///
+    /// # Errors
+    /// As [`set_torque`](Self::set_torque), of the sum.
+    pub fn add_torque_enu(&mut self, t: SimTime, torque: DVec3) -> Result<(), BodyError> {
+        self.add_torque(t, self.attitude(t).conjugate() * torque)
+    }
+
+    /// Changes the velocity at once by `impulse` [FLU, N s] over the mass.
+    ///
+    /// # Errors
+    /// As [`add_impulse`](Self::add_impulse).
+    pub fn add_impulse_flu(&mut self, t: SimTime, impulse: DVec3) -> Result<(), BodyError> {
+        self.add_impulse(t, self.attitude(t) * impulse)
+    }
+
+    /// Changes velocity and body rate at once by an `impulse` [FLU, N s] at `arm` [FLU, m, from the
+    /// centre of mass].
+    ///
+    /// # Errors
+    /// As [`add_impulse_at`](Self::add_impulse_at).
+    pub fn add_impulse_at_flu(
+        &mut self,
+        t: SimTime,
+        impulse: DVec3,
+        arm: DVec3,
+    ) -> Result<(), BodyError> {
+        let world_from_body = self.attitude(t);
+        self.add_impulse_at(t, world_from_body * impulse, world_from_body * arm)
+    }
+
+    /// Changes the body rate at once by `impulse` [ENU, N m s] over the moments of inertia.
+    ///
+    /// # Errors
+    /// As [`add_angular_impulse`](Self::add_angular_impulse).
+    pub fn add_angular_impulse_enu(&mut self, t: SimTime, impulse: DVec3) -> Result<(), BodyError> {
+        self.add_angular_impulse(t, self.attitude(t).conjugate() * impulse)
+    }
+
+    /// Sets the velocity [FLU, m/s].
+    ///
+    /// # Errors
+    /// As [`set_velocity`](Self::set_velocity).
+    pub fn set_velocity_flu(&mut self, t: SimTime, v: DVec3) -> Result<(), BodyError> {
+        self.set_velocity(t, self.attitude(t) * v)
     }
 }

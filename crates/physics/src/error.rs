@@ -50,6 +50,12 @@ pub enum BodyError {
         /// The name of the shape.
         shape: &'static str,
     },
+    /// Points that all lie in one plane, where a solid is needed.
+    #[error("the points of the {shape} lie in one plane: there is no volume between them")]
+    Flat {
+        /// The name of the shape.
+        shape: &'static str,
+    },
     /// A force or an impulse on a body that is fixed or driven from outside.
     #[error("{command} has no effect on a body that is {mobility}")]
     Immovable {

@@ -61,6 +61,7 @@
 //! 4. `grid`, `lists`: who might meet whom; `encounters`: the few pairs that must be remembered;
 //! 5. `queue`, `events`, `physics`: all bodies, through time.
 
+mod approach;
 mod body;
 mod command;
 mod contact;
@@ -68,6 +69,8 @@ mod encounters;
 mod error;
 mod events;
 mod grid;
+mod island;
+mod islands;
 pub mod limits;
 mod lists;
 mod motion;
@@ -78,11 +81,16 @@ mod queue;
 mod response;
 mod root;
 mod rotation;
+mod shape;
+mod statics;
+mod stepping;
 mod support;
+mod tree;
 
-pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, Shape, group};
+pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;
 pub use error::BodyError;
 pub use motion::{Motion, State};
 pub use physics::{Config, Physics, Tally};
+pub use shape::{HeightField, Hull, MassProperties, Mesh, Part, Shape};
 pub use support::Support;

@@ -203,7 +203,7 @@ impl Motion {
         match self.support {
             Support::None => self.a,
             Support::Sliding => self.sliding_acceleration(),
-            Support::Resting => DVec3::ZERO,
+            Support::Resting | Support::Island => DVec3::ZERO,
         }
     }
 
@@ -259,6 +259,23 @@ impl Motion {
         }
         self.carry(t);
         Ok(())
+    }
+
+    /// Begins a segment at `t` that an island leads: at constant velocity [ENU] and body rate [FLU]. What
+    /// acts on the body stays known.
+    pub(crate) fn lead(&mut self, t: SimTime, v: DVec3, w: DVec3) {
+        self.carry(t);
+        self.support = Support::Island;
+        self.spin = Spin::Steady;
+        (self.v, self.w) = (v, w);
+    }
+
+    /// Begins a free segment at `t`, with velocity and rate of turn in ENU.
+    pub(crate) fn release(&mut self, t: SimTime, v: DVec3, w_enu: DVec3) {
+        self.carry(t);
+        self.support = Support::None;
+        (self.v, self.w) = (v, self.q.conjugate() * w_enu);
+        self.respin();
     }
 
     /// [`advance`](Self::advance) to a time that is not before the start.

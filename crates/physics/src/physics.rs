@@ -1,13 +1,18 @@
 //! The table of all bodies: what its users see of it. How it works through time is in `events`.
 
-use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, Shape, group};
+use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::encounters::Encounters;
 use crate::error::{self, BodyError};
+use crate::islands::Islands;
 use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
+use crate::shape::form::{Form, Place};
+use crate::statics::Statics;
+use crate::tree::Bounds;
+use crate::shape::Shape;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -20,6 +25,11 @@ pub struct Config {
     pub ground: Option<Material>,
     /// Time between two listings of who may meet whom, 1 ms to 1000 s. Changes the cost, never a result.
     pub list_period: Time,
+    /// Time between two steps of bodies in lasting contact, 0.1 ms to 20 ms.
+    pub island_step: Time,
+    /// How often a step goes over the contacts of an island, 1 to 64: more for higher stacks, and for
+    /// heavy bodies upon light ones. The cost grows in proportion.
+    pub solver_iterations: usize,
     /// Whether bodies that touch nobody are listed too, so that [`Physics::near`] is quick for them.
     /// Costs one pass over all bodies each `list_period`.
     pub list_all: bool,
@@ -31,6 +41,8 @@ impl Default for Config {
             gravity: simbeeotic_units::constants::STANDARD_GRAVITY,
             ground: Some(Material::default()),
             list_period: Time::from_millis(100.0),
+            island_step: Time::si(1.0 / 240.0),
+            solver_iterations: 4,
             list_all: false,
         }
     }
@@ -49,6 +61,13 @@ impl Config {
             limits::ACCELERATION_M_S2_MAX,
         )?;
         error::ranged("list_period [s]", self.list_period.get(), 1e-3, 1e3)?;
+        error::ranged("island_step [s]", self.island_step.get(), 1e-4, 2e-2)?;
+        error::ranged(
+            "solver_iterations",
+            self.solver_iterations as f64,
+            1.0,
+            64.0,
+        )?;
         self.ground.as_ref().map_or(Ok(()), Material::check)
     }
 }
@@ -78,8 +97,9 @@ pub(crate) struct Filter {
 
 impl Filter {
     fn new(spec: &BodySpec) -> Self {
-        // Boxes do not collide yet.
-        let none = spec.contacts == Contacts::None || matches!(spec.shape, Shape::Box { .. });
+        // Others do not collide yet.
+        let none =
+            spec.contacts == Contacts::None || !matches!(spec.shape, Shape::Sphere { .. });
         Self {
             group: spec.group,
             mask: spec.mask,
@@ -93,6 +113,11 @@ impl Filter {
             && other.group & self.mask != 0
             && !(self.fixed && other.fixed)
             && !(self.none || other.none)
+    }
+
+    /// The groups it is in, and those it collides with.
+    pub(crate) fn groups(self) -> [u16; 2] {
+        [self.group, self.mask]
     }
 
     fn meets_ground(self) -> bool {
@@ -134,14 +159,17 @@ pub struct Physics {
     pub(crate) filters: Vec<Filter>,
     pub(crate) materials: Vec<Material>,
     pub(crate) shapes: Vec<Shape>,
+    pub(crate) forms: Vec<Form>,
     /// When a review of each body is in the queue; [`SimTime::MAX`] if none is.
     pub(crate) reviews: Vec<SimTime>,
 
+    pub(crate) statics: Statics,
     pub(crate) lists: Lists,
     pub(crate) queue: Queue,
     pub(crate) encounters: Encounters,
+    pub(crate) islands: Islands,
     pub(crate) dirty: Vec<u32>,
-    /// Bodies with no place in the lists.
+    /// Bodies that may move and have no place in the lists.
     pub(crate) unlisted: Vec<u32>,
     /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
     /// touch something.
@@ -191,10 +219,16 @@ impl Physics {
             filters: Vec::new(),
             materials: Vec::new(),
             shapes: Vec::new(),
+            forms: Vec::new(),
             reviews: Vec::new(),
+            statics: Statics::default(),
             lists: Lists::default(),
             queue: Queue::default(),
             encounters: Encounters::default(),
+            islands: Islands::new(
+                (config.island_step.get() * 1e9).round() as u64,
+                config.solver_iterations,
+            ),
             dirty: Vec::new(),
             unlisted: Vec::new(),
             horizon: SimTime::MAX,
@@ -217,6 +251,8 @@ impl Physics {
             .ok()
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
+        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
+        self.islands.add(&spec)?;
         let friction = self
             .ground
             .map_or(0.0, |ground| ground.against(&spec.material).friction);
@@ -231,6 +267,7 @@ impl Physics {
         self.filters.push(Filter::new(&spec));
         self.materials.push(spec.material);
         self.shapes.push(spec.shape);
+        self.forms.push(form);
         self.reviews.push(SimTime::MAX);
         self.dirty.push(id);
         self.grown = true;
@@ -271,8 +308,8 @@ impl Physics {
     /// # Panics
     /// If `id` is not one of [`add`](Self::add) of this world.
     #[must_use]
-    pub fn shape(&self, id: BodyId) -> Shape {
-        self.shapes[id.index()]
+    pub fn shape(&self, id: BodyId) -> &Shape {
+        &self.shapes[id.index()]
     }
 
     /// Lets `motion` replace the body's segment from `now` on.
@@ -338,11 +375,23 @@ impl Physics {
             if self.list_all {
                 *duty |= duty::LISTED;
             }
-            if *duty & duty::LISTED == 0 {
+            if *duty & duty::LISTED == 0 && !filter.fixed {
                 self.unlisted.push(id as u32);
             }
         }
+        self.statics = Statics::new(self.fixed());
         self.grown = false;
+    }
+
+    /// The fixed bodies and their bounds.
+    fn fixed(&self) -> impl Iterator<Item = (u32, Bounds)> {
+        let bodies = self.motions.iter().zip(&self.forms).enumerate();
+        bodies
+            .filter(|(_, (motion, _))| motion.mobility == Mobility::Fixed)
+            .map(|(id, (motion, form))| {
+                let (p, q) = (motion.p, motion.q);
+                (id as u32, form.bounds(Place { p, q }))
+            })
     }
 
     /// Whether anything about a body has to be foreseen.

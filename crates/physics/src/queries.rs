@@ -18,6 +18,8 @@ impl Physics {
         if listed && self.lists.built() <= t && t <= until {
             self.lists.around(p_enu, radius_m, &mut candidates);
             candidates.extend_from_slice(&self.unlisted);
+            self.statics
+                .near([p_enu - radius_m, p_enu + radius_m], &mut candidates);
         } else {
             candidates.extend(0..self.motions.len() as u32);
         }

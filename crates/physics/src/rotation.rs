@@ -26,6 +26,7 @@
 
 use crate::limits::RATE_RAD_S_MAX;
 use crate::motion::{Motion, Spin, seconds_between};
+use crate::support::Support;
 use glam::{DQuat, DVec3};
 use simbeeotic_kernel::SimTime;
 
@@ -81,6 +82,20 @@ pub(crate) fn turn_by(turn: DVec3) -> DQuat {
     };
     let axis = turn * (0.5 * sinc);
     DQuat::from_xyzw(axis.x, axis.y, axis.z, cos)
+}
+
+/// The rotation vector, rad, in the frame of `from`, that leads from `from` to `to` the shorter way:
+/// `to = from * turn_by(turn)`.
+pub(crate) fn turn_between(from: DQuat, to: DQuat) -> DVec3 {
+    let turn = from.conjugate() * to;
+    let turn = if turn.w < 0.0 { -turn } else { turn };
+    let axis = DVec3::new(turn.x, turn.y, turn.z);
+    let sin = axis.length();
+    if sin < 1e-9 {
+        axis * 2.0
+    } else {
+        axis * (2.0 * libm::atan2(sin, turn.w) / sin)
+    }
 }
 
 /// `q`, whose length is 1 but for the rounding of a product, brought back to length 1 against the drift
@@ -182,7 +197,7 @@ impl Motion {
     /// Chooses the case and the step for the segment that begins now.
     pub(crate) fn respin(&mut self) {
         self.w = hold(self.w);
-        if self.inverse_mass == 0.0 {
+        if self.inverse_mass == 0.0 || self.support == Support::Island {
             self.spin = Spin::Steady;
             return;
         }

@@ -32,6 +32,10 @@ pub enum Support {
     Sliding,
     /// It does, and the body stands still.
     Resting,
+    /// The body is in lasting contact, with other bodies, or with the ground in a way that no formula
+    /// describes (rolling, toppling), and is stepped together with those it touches. Between two steps it
+    /// moves at constant velocity and body rate; at rest both are zero.
+    Island,
 }
 
 /// Tangent of the angle by which a sliding body may turn before the direction of friction follows.
@@ -69,7 +73,7 @@ impl Motion {
 
     /// What becomes of a supported body after its velocity or the force on it has changed.
     pub(crate) fn stand(&mut self) {
-        if self.support == Support::None {
+        if matches!(self.support, Support::None | Support::Island) {
             return;
         }
         if self.v.z > 0.0 || self.a.z > LIFT_M_S2 {

@@ -6,7 +6,7 @@ use simbeeotic_model::check::positive;
 use simbeeotic_model::kernel::ModelId;
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
-    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, View, choice,
+    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, Thing, View, choice,
     component, params,
 };
 use std::path::PathBuf;
@@ -177,11 +177,14 @@ fn record_marks(recorder: &mut Recorder, view: &View<'_>) -> Result<(), RecordEr
             Mark::Touch { time, a, b } => recorder.event(Event {
                 time_ns: time.nanos(),
                 kind: "contact".to_owned(),
-                paths: std::iter::once(*a).chain(*b).map(path).collect(),
-                text: if b.is_none() {
-                    "ground".to_owned()
-                } else {
-                    String::new()
+                paths: std::iter::once(*a).chain(b.model()).map(path).collect(),
+                text: match b {
+                    Thing::Ground => "ground".to_owned(),
+                    Thing::Model(_) => String::new(),
+                    Thing::Object(object) => match view.world().label_of(*object) {
+                        "" => object.to_string(),
+                        label => format!("{object} {label}"),
+                    },
                 },
             })?,
             Mark::Log { time, model, text } => recorder.log(LogEntry {

@@ -4,12 +4,12 @@
 //! `#:schema ./scenario.schema.json`. A section whose `use` names a part has that part's
 //! parameters.
 
-use crate::plan::DEFAULT_VEHICLE;
+use crate::plan::{DEFAULT_VEHICLE, PhysicsParams};
 use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
 use simbeeotic_model::registry::{Kind, Part, of_kind};
 use simbeeotic_units::{
-    Acceleration, Attitude, Decibels, Heading, Length, Offset, Position, PowerLevel, Time, Yaw,
+    Attitude, Decibels, Heading, Length, Offset, Position, PowerLevel, Time, Yaw,
 };
 use simbeeotic_world::World;
 
@@ -252,24 +252,13 @@ fn world(all: &mut Definitions) -> Value {
 }
 
 fn physics(all: &mut Definitions) -> Value {
-    let number = |words: &str| json!({ "type": "number", "minimum": 0, "description": words });
-    let properties = entries([
-        ("gravity", all.of::<Acceleration>("Free fall, downwards.")),
-        (
-            "ground",
-            json!({ "type": "boolean", "description": "Whether the plane at height 0 is solid." }),
-        ),
-        ("friction", number("Coulomb friction of the ground.")),
-        (
-            "restitution",
-            number("What is left of a speed after a bounce off the ground, 0 to 1."),
-        ),
-        (
-            "list_period",
-            all.of::<Time>("Time between two listings of neighbours: cost, never results."),
-        ),
-    ]);
-    table(properties, "Gravity and ground.")
+    let mut schema = all.generator.root_schema_for::<PhysicsParams>().to_value();
+    if let Some(object) = schema.as_object_mut() {
+        for key in ["$schema", "$defs", "title"] {
+            object.remove(key);
+        }
+    }
+    schema
 }
 
 fn record(all: &mut Definitions) -> Value {

@@ -3,7 +3,8 @@
 use crate::xml::{self, Document};
 use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span, Value, read_params};
-use simbeeotic_world::{Obstacle, Patch, Person, Structure, World};
+use simbeeotic_model::objects;
+use simbeeotic_world::{Obstacle, ObstacleShape, Patch, Person, Solid, Structure, World};
 use std::path::Path;
 
 /// Reads a world file. `asked` is where a scenario names it.
@@ -60,19 +61,33 @@ pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
     if !sound {
         return None;
     }
-    faults.extend(not_solid_yet(node));
-    Some(world)
+    let before = faults.len();
+    faults.extend(not_solid(&world, node));
+    (faults.len() == before).then_some(world)
 }
 
-/// Objects are read and checked, and nothing touches them yet: said once, at the first of them.
-fn not_solid_yet(node: &Node) -> Option<Fault> {
-    let table = node.as_table()?;
-    let lists = ["obstacle", "structure", "patch", "person"];
-    let (key, _) = table.entries.iter().find(|(key, list)| {
-        lists.contains(&key.text.as_str()) && list.as_array().is_some_and(|l| !l.is_empty())
-    })?;
-    let message = "the objects of this world are read and not acted on yet: bees fly through them";
-    Some(Fault::warning(key.span, message))
+/// What physics refuses of shapes that are made of points: a hull without volume, a mesh without
+/// area.
+fn not_solid(world: &World, node: &Node) -> Vec<Fault> {
+    let refused = |path: String, solid: &Solid| {
+        let error = objects::check(solid).err()?;
+        Some(Fault::error(place(node, &path), error.to_string()))
+    };
+    let mut faults = Vec::new();
+    for (i, obstacle) in world.obstacles.iter().enumerate() {
+        let several = matches!(obstacle.shape, ObstacleShape::Parts(_));
+        for (part, solid) in obstacle.solids().iter().enumerate() {
+            let path = match several {
+                true => format!("obstacle.{i}.shape.parts.{part}.shape"),
+                false => format!("obstacle.{i}.shape"),
+            };
+            faults.extend(refused(path, solid));
+        }
+    }
+    if let Some(terrain) = &world.terrain {
+        faults.extend(refused("terrain.height_field".into(), &terrain.solid()));
+    }
+    faults
 }
 
 /// Finds the faults of one object.

@@ -1,11 +1,13 @@
 //! What a world cannot be: sizes that are not above zero, doors wider than their wall.
 
 use crate::flower::Patch;
-use crate::obstacle::{Obstacle, ObstacleShape};
+use crate::obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 use crate::person::{Person, PersonShape};
 use crate::structure::{Structure, StructureShape};
+use crate::surface::FRICTION_MAX;
+use crate::terrain::Terrain;
 use crate::world::World;
-use simbeeotic_units::Length;
+use simbeeotic_units::{Length, Offset};
 
 /// Something in a world that cannot be.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -19,20 +21,31 @@ pub struct WorldError {
 
 /// More single flowers than this are refused: they would not fit into memory as bodies.
 const FLOWERS_MAX: usize = 10_000_000;
+/// No thing is larger than this, in metres.
+const SIZE_M_MAX: f64 = 1e5;
+/// No thing stands farther from the origin than this along an axis, in metres.
+const PLACE_M_MAX: f64 = 1e7;
 
 impl World {
     /// Everything that is wrong with the numbers of this world; empty if it can be.
+    ///
+    /// Sizes are above zero and at most 100 km, places at most 10,000 km from the origin along each
+    /// axis. Whether the points of a hull or a mesh make a body, physics says.
     pub fn check(&self) -> Vec<WorldError> {
         let mut faults = Faults {
             path: String::new(),
             found: Vec::new(),
         };
         faults.positive("radius", self.radius);
+        faults.within("ground", |f| {
+            f.friction(self.ground.friction.unwrap_or(0.0));
+            f.restitution(self.ground.restitution.unwrap_or(0.0));
+        });
         faults.within("flower", |f| {
-            f.positive("stem_height", self.flower.stem_height);
-            f.positive("stem_radius", self.flower.stem_radius);
-            f.positive("head_height", self.flower.head_height);
-            f.positive("head_radius", self.flower.head_radius);
+            f.size("stem_height", self.flower.stem_height);
+            f.size("stem_radius", self.flower.stem_radius);
+            f.size("head_height", self.flower.head_height);
+            f.size("head_radius", self.flower.head_radius);
         });
         for (i, obstacle) in self.obstacles.iter().enumerate() {
             faults.within(&format!("obstacle.{i}"), |f| f.obstacle(obstacle));
@@ -45,6 +58,9 @@ impl World {
         }
         for (i, person) in self.people.iter().enumerate() {
             faults.within(&format!("person.{i}"), |f| f.person(person));
+        }
+        if let Some(terrain) = &self.terrain {
+            faults.within("terrain", |f| f.terrain(terrain));
         }
         faults.found
     }
@@ -78,9 +94,48 @@ impl Faults {
         }
     }
 
+    /// The size of a thing: above zero, and no mistake in a unit.
+    fn size(&mut self, key: &str, size: Length) {
+        self.positive(key, size);
+        if size.get() > SIZE_M_MAX {
+            let most = Length::si(SIZE_M_MAX);
+            self.fault(
+                key,
+                format!("`{key}` is {size}; at most {most} are possible"),
+            );
+        }
+    }
+
     fn at_least_zero(&mut self, key: &str, size: Length) {
         if !(size.get() >= 0.0 && size.is_finite()) {
             self.fault(key, format!("`{key}` must not be negative, as {size} is"));
+        }
+    }
+
+    fn place(&mut self, key: &str, place: glam::DVec3, most_m: f64) {
+        // False for what is no number, too.
+        let near = |x: f64| x.abs() <= most_m;
+        if !place.to_array().into_iter().all(near) {
+            let most = Length::si(most_m);
+            self.fault(
+                key,
+                format!("this is farther than {most} away along an axis"),
+            );
+        }
+    }
+
+    fn friction(&mut self, friction: f64) {
+        if !(0.0..=FRICTION_MAX).contains(&friction) {
+            let message =
+                format!("a friction lies between 0 and {FRICTION_MAX}, not at {friction}");
+            self.fault("friction", message);
+        }
+    }
+
+    fn restitution(&mut self, restitution: f64) {
+        if !(0.0..=1.0).contains(&restitution) {
+            let message = format!("a restitution lies between 0 and 1, not at {restitution}");
+            self.fault("restitution", message);
         }
     }
 
@@ -96,30 +151,143 @@ impl Faults {
     }
 
     fn obstacle(&mut self, obstacle: &Obstacle) {
-        self.within("shape", |f| match obstacle.shape {
-            ObstacleShape::Box {
+        self.place("position", obstacle.position.si(), PLACE_M_MAX);
+        self.friction(obstacle.friction);
+        self.restitution(obstacle.restitution);
+        self.within("shape", |f| match &obstacle.shape {
+            ObstacleShape::Parts(parts) => f.parts(parts),
+            shape => f.shape(shape),
+        });
+    }
+
+    fn parts(&mut self, parts: &[ObstaclePart]) {
+        if parts.is_empty() {
+            self.fault("parts", "an obstacle of no parts is none".into());
+        }
+        for (i, part) in parts.iter().enumerate() {
+            self.within(&format!("parts.{i}"), |f| {
+                f.place("position", part.position.si(), SIZE_M_MAX);
+                f.within("shape", |f| f.shape(&part.shape));
+            });
+        }
+    }
+
+    /// A shape without parts.
+    fn shape(&mut self, shape: &ObstacleShape) {
+        match shape {
+            &ObstacleShape::Box {
                 length,
                 width,
                 height,
                 ..
-            } => {
-                f.within("box", |f| f.sizes(length, width, height));
-            }
-            ObstacleShape::Cylinder { diameter, height } => f.within("cylinder", |f| {
-                f.positive("diameter", diameter);
-                f.positive("height", height);
+            } => self.within("box", |f| f.sizes(length, width, height)),
+            &ObstacleShape::Cylinder { diameter, height } => self.within("cylinder", |f| {
+                f.size("diameter", diameter);
+                f.size("height", height);
             }),
-            ObstacleShape::Sphere { radius } => {
-                f.within("sphere", |f| f.positive("radius", radius))
+            &ObstacleShape::Sphere { radius } => {
+                self.within("sphere", |f| f.size("radius", radius));
             }
-            ObstacleShape::Cone { radius, height } => f.within("cone", |f| {
-                f.positive("radius", radius);
-                f.positive("height", height);
+            &ObstacleShape::Cone { radius, height } => self.within("cone", |f| {
+                f.size("radius", radius);
+                f.size("height", height);
             }),
+            &ObstacleShape::Capsule { radius, height } => self.within("capsule", |f| {
+                f.size("radius", radius);
+                f.size("height", height);
+                if height <= radius * 2.0 {
+                    let ends = radius * 2.0;
+                    let message = format!(
+                        "a capsule with ends of {radius} is higher than {ends}, not {height}: at {ends} it is a sphere"
+                    );
+                    f.fault("height", message);
+                }
+            }),
+            ObstacleShape::Hull { points } => self.within("hull", |f| {
+                f.points(points, 4, "a hull");
+            }),
+            ObstacleShape::Mesh { points, triangles } => self.within("mesh", |f| {
+                f.points(points, 3, "a mesh");
+                f.triangles(triangles, points.len());
+            }),
+            ObstacleShape::Parts(_) => {
+                self.fault("parts", "a part has no parts of its own".into());
+            }
+        }
+    }
+
+    fn points(&mut self, points: &[Offset], least: usize, what: &str) {
+        if points.len() < least {
+            let message = format!("{what} has {least} points or more, not {}", points.len());
+            self.fault("points", message);
+        }
+        self.within("points", |f| {
+            for (i, point) in points.iter().enumerate() {
+                f.place(&i.to_string(), point.si(), SIZE_M_MAX);
+            }
+        });
+    }
+
+    fn triangles(&mut self, triangles: &[[u32; 3]], points: usize) {
+        if triangles.is_empty() {
+            self.fault("triangles", "a mesh has one triangle or more".into());
+        }
+        self.within("triangles", |f| {
+            for (i, corners) in triangles.iter().enumerate() {
+                if let Some(corner) = corners.iter().find(|c| **c as usize >= points) {
+                    let message =
+                        format!("there is no point {corner}: there are {points}, counted from 0");
+                    f.fault(&i.to_string(), message);
+                } else if corners[0] == corners[1]
+                    || corners[1] == corners[2]
+                    || corners[2] == corners[0]
+                {
+                    f.fault(&i.to_string(), "a triangle has three corners".into());
+                }
+            }
+        });
+    }
+
+    fn terrain(&mut self, terrain: &Terrain) {
+        self.place("position", terrain.position.si(), PLACE_M_MAX);
+        self.friction(terrain.friction);
+        self.restitution(terrain.restitution);
+        let field = &terrain.height_field;
+        self.within("height_field", |f| {
+            f.size("length", field.length);
+            f.size("width", field.width);
+            if field.heights.len() < 2 {
+                let message = format!("a grid has two rows or more, not {}", field.heights.len());
+                f.fault("heights", message);
+            }
+            let columns = field.heights.first().map_or(0, Vec::len);
+            f.within("heights", |f| {
+                for (i, row) in field.heights.iter().enumerate() {
+                    f.row(&i.to_string(), row, columns);
+                }
+            });
+        });
+    }
+
+    fn row(&mut self, key: &str, row: &[Length], columns: usize) {
+        if row.len() < 2 {
+            let message = format!("a row of a grid has two heights or more, not {}", row.len());
+            self.fault(key, message);
+        } else if row.len() != columns {
+            let message = format!("this row has {} heights, the first {columns}", row.len());
+            self.fault(key, message);
+        }
+        self.within(key, |f| {
+            for (i, height) in row.iter().enumerate() {
+                f.place(&i.to_string(), glam::DVec3::splat(height.get()), SIZE_M_MAX);
+            }
         });
     }
 
     fn structure(&mut self, structure: &Structure) {
+        self.place("position", structure.position.si(), PLACE_M_MAX);
+        self.friction(structure.friction);
+        self.restitution(structure.restitution);
         self.within("shape", |f| match structure.shape {
             StructureShape::Wall {
                 length,
@@ -162,7 +330,10 @@ impl Faults {
     }
 
     fn patch(&mut self, patch: &Patch) {
-        self.positive("radius", patch.radius);
+        self.place("center", patch.center.si(), PLACE_M_MAX);
+        self.size("radius", patch.radius);
+        self.friction(patch.friction);
+        self.restitution(patch.restitution);
         if !(patch.flowers_per_m2 >= 0.0 && patch.flowers_per_m2.is_finite()) {
             let density = patch.flowers_per_m2;
             self.fault(
@@ -177,17 +348,20 @@ impl Faults {
     }
 
     fn person(&mut self, person: &Person) {
+        self.place("position", person.position.si(), PLACE_M_MAX);
+        self.friction(person.friction);
+        self.restitution(person.restitution);
         let PersonShape::Man { width, height } = person.shape;
         self.within("shape.man", |f| {
-            f.positive("width", width);
-            f.positive("height", height);
+            f.size("width", width);
+            f.size("height", height);
         });
     }
 
     fn sizes(&mut self, length: Length, width: Length, height: Length) {
-        self.positive("length", length);
-        self.positive("width", width);
-        self.positive("height", height);
+        self.size("length", length);
+        self.size("width", width);
+        self.size("height", height);
     }
 }
 
@@ -274,6 +448,96 @@ mod tests {
                 "patch.0.flowers_per_m2",
                 "patch.1.flowers_per_m2",
                 "person.0.shape.man.width",
+            ]
+        );
+    }
+    fn paths(world: &World) -> Vec<String> {
+        world.check().into_iter().map(|e| e.path).collect()
+    }
+
+    fn obstacle(shape: ObstacleShape) -> Obstacle {
+        Obstacle {
+            shape,
+            ..Obstacle::default()
+        }
+    }
+
+    #[test]
+    fn shapes_of_points_are_checked_point_by_point() {
+        let corner = |x: f64| Offset::from_xyz(x, 0.0, 0.0);
+        let part = |shape| ObstaclePart {
+            position: Offset::ZERO,
+            attitude: simbeeotic_units::Attitude::IDENTITY,
+            shape,
+        };
+        let world = World {
+            obstacles: vec![
+                obstacle(ObstacleShape::Capsule {
+                    radius: m(1.0),
+                    height: m(2.0),
+                }),
+                obstacle(ObstacleShape::Hull {
+                    points: vec![corner(0.0), corner(1.0), corner(1e6)],
+                }),
+                obstacle(ObstacleShape::Mesh {
+                    points: vec![corner(0.0), corner(1.0), corner(2.0)],
+                    triangles: vec![[0, 1, 2], [0, 1, 3], [0, 1, 1]],
+                }),
+                obstacle(ObstacleShape::Parts(Vec::new())),
+                obstacle(ObstacleShape::Parts(vec![
+                    part(ObstacleShape::Sphere { radius: m(0.0) }),
+                    part(ObstacleShape::Parts(Vec::new())),
+                ])),
+            ],
+            ..World::default()
+        };
+        assert_eq!(
+            paths(&world),
+            [
+                "obstacle.0.shape.capsule.height",
+                "obstacle.1.shape.hull.points",
+                "obstacle.1.shape.hull.points.2",
+                "obstacle.2.shape.mesh.triangles.1",
+                "obstacle.2.shape.mesh.triangles.2",
+                "obstacle.3.shape.parts",
+                "obstacle.4.shape.parts.0.shape.sphere.radius",
+                "obstacle.4.shape.parts.1.shape.parts",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_grid_has_equal_rows_and_surfaces_have_their_ranges() {
+        let mut terrain = Terrain::new(crate::HeightField {
+            length: m(10.0),
+            width: m(0.0),
+            heights: vec![vec![m(0.0); 3], vec![m(0.0), m(1e9)], vec![m(0.0)]],
+        });
+        terrain.friction = -1.0;
+        let world = World {
+            ground: crate::Ground {
+                restitution: Some(1.5),
+                ..crate::Ground::default()
+            },
+            obstacles: vec![Obstacle {
+                position: simbeeotic_units::Position::from_xyz(0.0, 0.0, 1e8),
+                friction: f64::NAN,
+                ..Obstacle::default()
+            }],
+            terrain: Some(terrain),
+            ..World::default()
+        };
+        assert_eq!(
+            paths(&world),
+            [
+                "ground.restitution",
+                "obstacle.0.position",
+                "obstacle.0.friction",
+                "terrain.friction",
+                "terrain.height_field.width",
+                "terrain.height_field.heights.1",
+                "terrain.height_field.heights.1.1",
+                "terrain.height_field.heights.2",
             ]
         );
     }

@@ -4,12 +4,13 @@
 //! the scenario's seed, uniformly over the disc: `r = R sqrt(u)`, `phi = 2 pi v`.
 
 use crate::look::{Color, Meta};
-use crate::solid::{Object, ObjectKind, Solid, SolidShape};
+use crate::solid::{Object, ObjectId, ObjectKind, Solid, SolidShape};
+use crate::surface::{Surface, friction};
 use crate::world::World;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use simbeeotic_kernel::rng::Stream;
-use simbeeotic_units::{Length, Position, Yaw, math};
+use simbeeotic_units::{Attitude, Length, Position, math};
 use std::f64::consts::{PI, TAU};
 
 /// A disc with flowers on it.
@@ -22,6 +23,12 @@ pub struct Patch {
     pub radius: Length,
     /// How many flowers stand on one square metre. Not negative.
     pub flowers_per_m2: f64,
+    /// Coulomb friction of its flowers, 0 to 1000.
+    #[serde(default = "friction")]
+    pub friction: f64,
+    /// Restitution of its flowers: how much of a speed is left after a bounce, 0 to 1.
+    #[serde(default)]
+    pub restitution: f64,
     /// The colour of the flowers.
     #[serde(default = "pink")]
     pub color: Color,
@@ -44,6 +51,8 @@ impl Default for Patch {
             center: Position::ZERO,
             radius: Length::si(1.0),
             flowers_per_m2: 1.0,
+            friction: friction(),
+            restitution: Surface::USUAL.restitution,
             color: pink(),
             label: String::new(),
             meta: Meta::new(),
@@ -129,40 +138,40 @@ impl World {
     }
 
     pub(crate) fn flower_objects(&self, seed: u64) -> Vec<Object<'_>> {
-        let object = |index: usize, color, solids| Object {
-            kind: ObjectKind::Flower,
-            index,
-            label: &self.patches[index].label,
-            color,
-            texture: None,
-            meta: &self.patches[index].meta,
-            solids,
+        let object = |at: usize, item: u32, alpha: Option<u8>, solids| {
+            let patch = &self.patches[at];
+            Object {
+                id: ObjectId {
+                    item,
+                    ..ObjectId::new(ObjectKind::Flower, at as u32)
+                },
+                label: &patch.label,
+                color: Color {
+                    alpha: alpha.unwrap_or(patch.color.alpha),
+                    ..patch.color
+                },
+                texture: None,
+                meta: &patch.meta,
+                surface: Surface {
+                    friction: patch.friction,
+                    restitution: patch.restitution,
+                },
+                solids,
+            }
         };
         if self.approximate_patches {
             let patches = self.patches.iter().enumerate();
             return patches
-                .map(|(i, p)| {
-                    object(
-                        i,
-                        Color {
-                            alpha: DISC_ALPHA,
-                            ..p.color
-                        },
-                        vec![disc(p)],
-                    )
-                })
+                .map(|(at, patch)| object(at, 0, Some(DISC_ALPHA), vec![disc(patch)]))
                 .collect();
         }
-        self.flowers(seed)
-            .into_iter()
-            .map(|f| {
-                object(
-                    f.patch,
-                    self.patches[f.patch].color,
-                    self.flower.solids(f.foot),
-                )
-            })
-            .collect()
+        let mut items = vec![0; self.patches.len()];
+        let flowers = self.flowers(seed).into_iter().map(|flower| {
+            let item = items[flower.patch];
+            items[flower.patch] += 1;
+            object(flower.patch, item, None, self.flower.solids(flower.foot))
+        });
+        flowers.collect()
     }
 }
 
@@ -183,7 +192,7 @@ fn upright(foot: Position, middle: Length, shape: SolidShape) -> Solid {
     Solid {
         shape,
         center: foot + up,
-        yaw: Yaw::default(),
+        attitude: Attitude::IDENTITY,
     }
 }
 

@@ -21,10 +21,10 @@
 //!
 //! Frame: the world frame is ENU, `x` east, `y` north, `z` up; the ground is the plane `z = 0`.
 //! A *length* runs along `x`, a *width* along `y`, a *height* along `z`, before rotation.
-//! Rotations are about `z`, counter-clockwise seen from above.
+//! A *rotation* is about `z`, counter-clockwise seen from above.
 //!
 //! Reading order: [`world`] (the whole), [`look`] (colour, texture, metadata), [`obstacle`],
-//! [`structure`], [`flower`], [`person`] (what stands in it), [`solid`] (what it is made of),
+//! [`structure`], [`flower`], [`person`], [`terrain`] (what stands in it), [`surface`] (how it feels), [`solid`] (what it is made of),
 //! [`check`] (what cannot be), [`weather`] (the air).
 
 pub mod check;
@@ -34,15 +34,19 @@ pub mod obstacle;
 pub mod person;
 pub mod solid;
 pub mod structure;
+pub mod surface;
+pub mod terrain;
 pub mod weather;
 pub mod world;
 
 pub use check::WorldError;
 pub use flower::{Flower, FlowerShape, Patch};
 pub use look::{Color, ColorError, Meta, Texture};
-pub use obstacle::{Obstacle, ObstacleShape};
+pub use obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 pub use person::{Person, PersonShape};
-pub use solid::{Object, ObjectKind, Solid, SolidShape};
+pub use solid::{Object, ObjectId, ObjectKind, Solid, SolidShape};
 pub use structure::{Door, Structure, StructureShape, Trap};
+pub use surface::Surface;
+pub use terrain::{HeightField, Terrain};
 pub use weather::{Calm, Weather};
 pub use world::{Ground, World};

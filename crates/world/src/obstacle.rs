@@ -1,19 +1,28 @@
-//! Obstacles: a primitive that stands in the way.
+//! Obstacles: things that stand in the way.
 
 use crate::look::{Color, Meta, Texture};
 use crate::solid::{Solid, SolidShape};
+use crate::surface::{Surface, friction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use simbeeotic_units::{Angle, Length, Position, Yaw};
+use simbeeotic_units::{Angle, Attitude, Length, Offset, Position, Yaw};
 
 /// A thing in the way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Obstacle {
-    /// The middle of its lowest side: with height 0 it stands on the ground.
+    /// The middle of its lowest side: with height 0 it stands on the ground. Of a hull, a mesh or
+    /// parts: the origin of their points.
     pub position: Position,
+    /// How it is turned about its position; upright if left out.
+    #[serde(skip_serializing_if = "is_upright")]
+    pub attitude: Attitude,
     /// What it is.
     pub shape: ObstacleShape,
+    /// Coulomb friction of its surface, 0 to 1000.
+    pub friction: f64,
+    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1.
+    pub restitution: f64,
     /// Its colour.
     pub color: Color,
     /// Its texture, if it has one.
@@ -25,11 +34,18 @@ pub struct Obstacle {
     pub meta: Meta,
 }
 
+fn is_upright(attitude: &Attitude) -> bool {
+    *attitude == Attitude::IDENTITY
+}
+
 impl Default for Obstacle {
     fn default() -> Self {
         Self {
             position: Position::ZERO,
+            attitude: Attitude::IDENTITY,
             shape: ObstacleShape::default(),
+            friction: friction(),
+            restitution: Surface::USUAL.restitution,
             color: Color::rgb(140, 140, 140),
             texture: None,
             label: String::new(),
@@ -39,7 +55,7 @@ impl Default for Obstacle {
 }
 
 /// The shape of an obstacle. All sizes are above 0; 1 m where a file leaves them out.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum ObstacleShape {
     /// A box.
@@ -81,6 +97,42 @@ pub enum ObstacleShape {
         #[serde(default = "metre")]
         height: Length,
     },
+    /// An upright cylinder with a half ball at each end.
+    Capsule {
+        /// Its radius.
+        radius: Length,
+        /// From end to end, both half balls included: more than two radii.
+        height: Length,
+    },
+    /// The smallest convex body that holds some points.
+    Hull {
+        /// Four points or more, not all in one plane.
+        points: Vec<Offset>,
+    },
+    /// A surface of triangles: solid where it is, hollow inside.
+    Mesh {
+        /// Corners of triangles.
+        points: Vec<Offset>,
+        /// Three corners each, counter-clockwise seen from outside, as places in `points`, from 0.
+        triangles: Vec<[u32; 3]>,
+    },
+    /// Several shapes that are one obstacle.
+    Parts(Vec<ObstaclePart>),
+}
+
+/// One of the shapes that make an obstacle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ObstaclePart {
+    /// Where its middle is, from the obstacle's position. Of a hull or a mesh: the origin of its
+    /// points; of a cone: half way between base and tip.
+    #[serde(default)]
+    pub position: Offset,
+    /// How it is turned about its middle.
+    #[serde(default, skip_serializing_if = "is_upright")]
+    pub attitude: Attitude,
+    /// What it is: any shape without parts of its own.
+    pub shape: ObstacleShape,
 }
 
 pub(crate) fn metre() -> Length {
@@ -98,13 +150,13 @@ impl Default for ObstacleShape {
     }
 }
 
-impl Obstacle {
-    /// The primitive it is, standing on [`Obstacle::position`].
-    ///
-    /// The height of the position counts; the original put everything on the ground.
-    pub fn solid(&self) -> Solid {
-        let (shape, half_height, yaw) = match self.shape {
-            ObstacleShape::Box {
+impl ObstacleShape {
+    /// The primitive it is, how far its middle is above its lowest side, and how it is turned about
+    /// `z`. `None` for parts.
+    fn primitive(&self) -> Option<(SolidShape, Length, Angle)> {
+        let upright = |shape, above| Some((shape, above, Angle::ZERO));
+        match self {
+            &Self::Box {
                 length,
                 width,
                 height,
@@ -116,40 +168,75 @@ impl Obstacle {
                     half_width: width * 0.5,
                     half_height,
                 };
-                (shape, half_height, rotation)
+                Some((shape, half_height, rotation))
             }
-            ObstacleShape::Cylinder { diameter, height } => {
-                let half_height = height * 0.5;
-                (
-                    SolidShape::Cylinder {
-                        radius: diameter * 0.5,
-                        half_height,
-                    },
+            &Self::Cylinder { diameter, height } => {
+                let (radius, half_height) = (diameter * 0.5, height * 0.5);
+                let shape = SolidShape::Cylinder {
+                    radius,
                     half_height,
-                    Angle::ZERO,
-                )
+                };
+                upright(shape, half_height)
             }
-            ObstacleShape::Sphere { radius } => {
-                (SolidShape::Sphere { radius }, radius, Angle::ZERO)
-            }
-            ObstacleShape::Cone { radius, height } => {
+            &Self::Sphere { radius } => upright(SolidShape::Sphere { radius }, radius),
+            &Self::Cone { radius, height } => {
                 let half_height = height * 0.5;
-                (
-                    SolidShape::Cone {
-                        radius,
-                        half_height,
-                    },
+                let shape = SolidShape::Cone {
+                    radius,
                     half_height,
-                    Angle::ZERO,
-                )
+                };
+                upright(shape, half_height)
             }
-        };
-        let up = Position::new(Length::ZERO, Length::ZERO, half_height);
-        Solid {
-            shape,
-            center: self.position + up,
-            yaw: Yaw::new(yaw),
+            &Self::Capsule { radius, height } => {
+                let shape = SolidShape::Capsule {
+                    radius,
+                    half_height: height * 0.5 - radius,
+                };
+                upright(shape, height * 0.5)
+            }
+            Self::Hull { points } => {
+                let points = points.as_slice().into();
+                upright(SolidShape::Hull { points }, Length::ZERO)
+            }
+            Self::Mesh { points, triangles } => {
+                let (points, triangles) = (points.as_slice().into(), triangles.as_slice().into());
+                upright(SolidShape::Mesh { points, triangles }, Length::ZERO)
+            }
+            Self::Parts(_) => None,
         }
+    }
+}
+
+impl Obstacle {
+    /// The primitives it is, standing on [`Obstacle::position`].
+    ///
+    /// The height of the position counts; the original put everything on the ground. Parts of parts,
+    /// which [`World::check`](crate::World::check) refuses, are left out.
+    pub fn solids(&self) -> Vec<Solid> {
+        let solid = |shape, middle: Offset, attitude: Attitude| Solid {
+            shape,
+            center: self.position + self.attitude.rotate(middle),
+            attitude: self.attitude * attitude,
+        };
+        let turned = |rotation| Attitude::from_yaw(Yaw::new(rotation));
+        if let ObstacleShape::Parts(parts) = &self.shape {
+            let parts = parts.iter().filter_map(|part| {
+                let (shape, _, rotation) = part.shape.primitive()?;
+                Some(solid(
+                    shape,
+                    part.position,
+                    part.attitude * turned(rotation),
+                ))
+            });
+            return parts.collect();
+        }
+        let primitive = self.shape.primitive().into_iter();
+        primitive
+            .map(|(shape, above, rotation)| {
+                let middle = Offset::new(Length::ZERO, Length::ZERO, above);
+                solid(shape, middle, turned(rotation))
+            })
+            .collect()
     }
 }
 
@@ -157,40 +244,77 @@ impl Obstacle {
 mod tests {
     use super::*;
 
+    fn m(metres: f64) -> Length {
+        Length::si(metres)
+    }
+
+    fn near(found: glam::DVec3, wanted: [f64; 3]) -> bool {
+        found.abs_diff_eq(glam::DVec3::from_array(wanted), 1e-12)
+    }
+
     #[test]
     fn an_obstacle_stands_on_the_height_it_was_given() {
-        let at = Position::new(Length::si(1.0), Length::si(2.0), Length::si(3.0));
+        let (radius, height) = (m(1.0), m(3.0));
         let shapes = [
-            (
-                ObstacleShape::Sphere {
-                    radius: Length::si(2.0),
-                },
-                5.0,
-            ),
-            (
-                ObstacleShape::Cone {
-                    radius: Length::si(1.0),
-                    height: Length::si(2.0),
-                },
-                4.0,
-            ),
+            (ObstacleShape::Sphere { radius: m(2.0) }, 5.0),
+            (ObstacleShape::Cone { radius, height }, 4.5),
             (
                 ObstacleShape::Cylinder {
-                    diameter: Length::si(1.0),
-                    height: Length::si(3.0),
+                    diameter: radius,
+                    height,
                 },
                 4.5,
             ),
+            (ObstacleShape::Capsule { radius, height }, 4.5),
             (ObstacleShape::default(), 3.5),
+            (ObstacleShape::Hull { points: Vec::new() }, 3.0),
         ];
         for (shape, z_m) in shapes {
-            let solid = Obstacle {
-                position: at,
+            let obstacle = Obstacle {
+                position: Position::from_xyz(1.0, 2.0, 3.0),
                 shape,
                 ..Obstacle::default()
-            }
-            .solid();
-            assert_eq!(solid.center.si().to_array(), [1.0, 2.0, z_m]);
+            };
+            let solids = obstacle.solids();
+            assert_eq!(solids.len(), 1);
+            assert_eq!(solids[0].center.si().to_array(), [1.0, 2.0, z_m]);
         }
+    }
+
+    #[test]
+    fn a_capsule_is_as_high_as_it_says() {
+        let shape = ObstacleShape::Capsule {
+            radius: m(0.25),
+            height: m(2.0),
+        };
+        let obstacle = Obstacle {
+            shape,
+            ..Obstacle::default()
+        };
+        let capsule = SolidShape::Capsule {
+            radius: m(0.25),
+            half_height: m(0.75),
+        };
+        assert_eq!(obstacle.solids()[0].shape, capsule);
+    }
+
+    #[test]
+    fn an_obstacle_turns_about_its_position_with_all_its_parts() {
+        let part = |x: f64| ObstaclePart {
+            position: Offset::from_xyz(x, 0.0, 0.5),
+            attitude: Attitude::IDENTITY,
+            shape: ObstacleShape::default(),
+        };
+        let north = Attitude::from_yaw(Yaw::NORTH);
+        let obstacle = Obstacle {
+            position: Position::from_xyz(10.0, 0.0, 0.0),
+            attitude: north,
+            shape: ObstacleShape::Parts(vec![part(0.0), part(2.0)]),
+            ..Obstacle::default()
+        };
+        let solids = obstacle.solids();
+        assert!(near(solids[0].center.si(), [10.0, 0.0, 0.5]));
+        assert!(near(solids[1].center.si(), [10.0, 2.0, 0.5]));
+        assert_eq!(solids[1].attitude, north);
     }
 }

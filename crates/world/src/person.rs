@@ -3,9 +3,10 @@
 use crate::look::{Color, Meta};
 use crate::obstacle::metre;
 use crate::solid::Solid;
+use crate::surface::{Surface, friction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use simbeeotic_units::{Length, Position};
+use simbeeotic_units::{Angle, Length, Position};
 
 /// A person who stands still, facing `y`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -15,6 +16,10 @@ pub struct Person {
     pub position: Position,
     /// What the person is.
     pub shape: PersonShape,
+    /// Coulomb friction of its surface, 0 to 1000.
+    pub friction: f64,
+    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1.
+    pub restitution: f64,
     /// The colour.
     pub color: Color,
     /// What the person is called; empty for nothing.
@@ -28,6 +33,8 @@ impl Default for Person {
         Self {
             position: Position::ZERO,
             shape: PersonShape::default(),
+            friction: friction(),
+            restitution: Surface::USUAL.restitution,
             color: Color::rgba(205, 175, 149, 128),
             label: String::new(),
             meta: Meta::new(),
@@ -84,7 +91,12 @@ impl Person {
         let boxed = |[left, right, bottom, top]: [f64; 4]| {
             let x_m = |cell: f64| (cell - 0.5 * CELLS) * across_m;
             let low = [x_m(left), -thick_m, bottom * up_m];
-            Solid::turned_box(self.position, 0.0, low, [x_m(right), thick_m, top * up_m])
+            Solid::turned_box(
+                self.position,
+                Angle::ZERO,
+                low,
+                [x_m(right), thick_m, top * up_m],
+            )
         };
         BODY.into_iter().map(boxed).collect()
     }

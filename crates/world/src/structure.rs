@@ -18,6 +18,7 @@
 use crate::look::{Color, Meta, Texture};
 use crate::obstacle::metre;
 use crate::solid::Solid;
+use crate::surface::{Surface, friction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use simbeeotic_units::{Angle, Length, Position};
@@ -30,6 +31,10 @@ pub struct Structure {
     pub position: Position,
     /// What it is.
     pub shape: StructureShape,
+    /// Coulomb friction of its surface, 0 to 1000.
+    pub friction: f64,
+    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1.
+    pub restitution: f64,
     /// Its colour.
     pub color: Color,
     /// Its texture, if it has one.
@@ -46,6 +51,8 @@ impl Default for Structure {
         Self {
             position: Position::ZERO,
             shape: StructureShape::default(),
+            friction: friction(),
+            restitution: Surface::USUAL.restitution,
             color: Color::rgb(77, 77, 77),
             texture: None,
             label: String::new(),
@@ -192,7 +199,7 @@ impl Structure {
         pieces
             .into_iter()
             .filter(thick)
-            .map(|(low, high)| Solid::turned_box(self.position, rotation.get(), low, high))
+            .map(|(low, high)| Solid::turned_box(self.position, rotation, low, high))
             .collect()
     }
 }

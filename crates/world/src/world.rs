@@ -1,11 +1,13 @@
 //! The world as a whole.
 
 use crate::flower::{FlowerShape, Patch};
-use crate::look::{Color, Texture};
+use crate::look::{Color, Meta, Texture};
 use crate::obstacle::Obstacle;
 use crate::person::Person;
-use crate::solid::{Object, ObjectKind};
+use crate::solid::{Object, ObjectId, ObjectKind};
 use crate::structure::Structure;
+use crate::surface::Surface;
+use crate::terrain::{Terrain, green};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use simbeeotic_units::Length;
@@ -20,6 +22,9 @@ pub struct World {
     pub approximate_patches: bool,
     /// The plane `z = 0`.
     pub ground: Ground,
+    /// Uneven ground, if there is any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub terrain: Option<Terrain>,
     /// The size of every single flower.
     pub flower: FlowerShape,
     /// Things in the way.
@@ -42,6 +47,7 @@ impl Default for World {
             radius: Length::si(10_000.0),
             approximate_patches: false,
             ground: Ground::default(),
+            terrain: None,
             flower: FlowerShape::default(),
             obstacles: Vec::new(),
             structures: Vec::new(),
@@ -52,48 +58,90 @@ impl Default for World {
 }
 
 impl World {
-    /// All objects but the ground, as primitives: obstacles, structures, flowers, people, each in
-    /// the order of the file.
+    /// All objects but the plane of the ground, as primitives: obstacles, structures, flowers,
+    /// people, each in the order of the file, and the terrain.
     ///
     /// `seed` decides where the flowers of a patch stand (see [`World::flowers`]).
     pub fn objects(&self, seed: u64) -> Vec<Object<'_>> {
+        let id = |kind, index: usize| ObjectId::new(kind, index as u32);
+        let surface = |friction, restitution| Surface {
+            friction,
+            restitution,
+        };
         let mut all = Vec::new();
         all.extend(self.obstacles.iter().enumerate().map(|(index, o)| Object {
-            kind: ObjectKind::Obstacle,
-            index,
+            id: id(ObjectKind::Obstacle, index),
             label: &o.label,
             color: o.color,
             texture: o.texture.as_ref(),
             meta: &o.meta,
-            solids: vec![o.solid()],
+            surface: surface(o.friction, o.restitution),
+            solids: o.solids(),
         }));
         all.extend(self.structures.iter().enumerate().map(|(index, s)| Object {
-            kind: ObjectKind::Structure,
-            index,
+            id: id(ObjectKind::Structure, index),
             label: &s.label,
             color: s.color,
             texture: s.texture.as_ref(),
             meta: &s.meta,
+            surface: surface(s.friction, s.restitution),
             solids: s.solids(),
         }));
         all.extend(self.flower_objects(seed));
         all.extend(self.people.iter().enumerate().map(|(index, p)| Object {
-            kind: ObjectKind::Person,
-            index,
+            id: id(ObjectKind::Person, index),
             label: &p.label,
             color: p.color,
             texture: None,
             meta: &p.meta,
+            surface: surface(p.friction, p.restitution),
             solids: p.solids(),
+        }));
+        all.extend(self.terrain.iter().map(|t| Object {
+            id: id(ObjectKind::Terrain, 0),
+            label: &t.label,
+            color: t.color,
+            texture: t.texture.as_ref(),
+            meta: &t.meta,
+            surface: surface(t.friction, t.restitution),
+            solids: vec![t.solid()],
         }));
         all
     }
+
+    /// What an object is called (of a flower: its patch); empty if nothing, or if there is no such
+    /// object.
+    pub fn label_of(&self, object: ObjectId) -> &str {
+        self.words_of(object).map_or("", |(label, _)| label)
+    }
+
+    /// What is attached to an object (of a flower: to its patch). `None` if there is no such object.
+    pub fn meta_of(&self, object: ObjectId) -> Option<&Meta> {
+        self.words_of(object).map(|(_, meta)| meta)
+    }
+
+    fn words_of(&self, object: ObjectId) -> Option<(&str, &Meta)> {
+        let at = object.index as usize;
+        Some(match object.kind {
+            ObjectKind::Obstacle => self.obstacles.get(at).map(|o| (&*o.label, &o.meta))?,
+            ObjectKind::Structure => self.structures.get(at).map(|s| (&*s.label, &s.meta))?,
+            ObjectKind::Flower => self.patches.get(at).map(|p| (&*p.label, &p.meta))?,
+            ObjectKind::Person => self.people.get(at).map(|p| (&*p.label, &p.meta))?,
+            ObjectKind::Terrain => self.terrain.as_ref().map(|t| (&*t.label, &t.meta))?,
+        })
+    }
 }
 
-/// How the ground looks. It is the plane `z = 0`, without end.
+/// How the ground looks and feels. It is the plane `z = 0`, without end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Ground {
+    /// Its Coulomb friction, 0 to 1000, unless the scenario says another. 0.5 if neither does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Its restitution, 0 to 1, unless the scenario says another. 0 if neither does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<f64>,
     /// Its colour.
     pub color: Color,
     /// Its texture, if it has one.
@@ -104,7 +152,9 @@ pub struct Ground {
 impl Default for Ground {
     fn default() -> Self {
         Self {
-            color: Color::rgb(20, 70, 30),
+            friction: None,
+            restitution: None,
+            color: green(),
             texture: None,
         }
     }
@@ -124,6 +174,24 @@ mod tests {
     }
 
     #[test]
+    fn labels_and_metadata_are_found_by_object() {
+        let tower = Obstacle {
+            label: "tower".into(),
+            meta: Meta::from([("height".into(), "12".into())]),
+            ..Obstacle::default()
+        };
+        let world = World {
+            obstacles: vec![Obstacle::default(), tower],
+            ..World::default()
+        };
+        let tower = ObjectId::new(ObjectKind::Obstacle, 1);
+        assert_eq!(world.label_of(tower), "tower");
+        assert_eq!(world.meta_of(tower).expect("it is there")["height"], "12");
+        let nobody = ObjectId::new(ObjectKind::Person, 1);
+        assert_eq!((world.label_of(nobody), world.meta_of(nobody)), ("", None));
+    }
+
+    #[test]
     fn objects_come_by_kind_in_the_order_of_the_file() {
         let world = World {
             people: vec![Person::default()],
@@ -139,7 +207,11 @@ mod tests {
             ],
             ..World::default()
         };
-        let kinds: Vec<_> = world.objects(0).iter().map(|o| (o.kind, o.index)).collect();
+        let kinds: Vec<_> = world
+            .objects(0)
+            .iter()
+            .map(|o| (o.id.kind, o.id.index))
+            .collect();
         assert_eq!(
             kinds,
             [

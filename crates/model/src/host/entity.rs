@@ -2,19 +2,27 @@
 
 use super::Cx;
 use crate::swarm::Own;
-use simbeeotic_kernel::ModelId;
+use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_physics::{BodyError, BodyId, Motion};
 use simbeeotic_units::{
-    Accel, Acceleration, Attitude, Density, Enu, Flu, ForceVec, Heading, ImpulseVec, Length, Pose,
-    Position, Rate, TorqueVec, Twist, Velocity,
+    Accel, Acceleration, Attitude, Density, Enu, Flu, ForceVec, Heading, ImpulseVec, Length,
+    Offset, Pose, Position, Rate, Time, TorqueVec, Twist, Velocity, Wrench,
 };
 use std::ops::{Deref, DerefMut};
 
 /// A body as its own model sees it: where it is, how it moves, and what pushes it.
 ///
 /// Readings are the truth at this instant, with what this call has changed already in them.
-/// Sensors give what the vehicle would know. Forces hold until they are changed. A number that is
-/// not finite ends the run with an error that names this model.
+/// Sensors give what the vehicle would know.
+///
+/// What pushes a body takes typed vectors: world frame unless the name ends in `_flu`, at the centre
+/// of mass unless it ends in `_at`. Forces and torques hold until they are set again. What physics
+/// refuses (a number that is not finite, a push that would make a million g, a force on a body that is
+/// fixed or driven) ends the run with an error that names this model and the time, and changes nothing.
+///
+/// A body with [`Mobility::Driven`](simbeeotic_physics::Mobility) is a ghost: it goes where
+/// [`set_pose`](Self::set_pose) and [`set_twist`](Self::set_twist) say, others bounce off it, and
+/// nothing pushes it.
 pub struct Entity<'a> {
     cx: Cx<'a>,
     body: BodyId,
@@ -34,7 +42,8 @@ impl<'a> Entity<'a> {
     }
 
     /// Changes the own motion; others see it when the instant ends.
-    fn change(&mut self, change: impl FnOnce(&mut Motion) -> Result<(), BodyError>) {
+    fn change(&mut self, change: impl FnOnce(&mut Motion, SimTime) -> Result<(), BodyError>) {
+        let now = self.cx.now;
         let own = match &mut *self.cx.own {
             Some(own) => own,
             none => none.insert(Own {
@@ -42,7 +51,7 @@ impl<'a> Entity<'a> {
                 jumped: false,
             }),
         };
-        if let Err(error) = change(&mut own.motion) {
+        if let Err(error) = change(&mut own.motion, now) {
             self.cx.fault(error);
         }
     }
@@ -98,53 +107,140 @@ impl<'a> Entity<'a> {
         Accel::from_si(self.motion().acceleration())
     }
 
-    /// Sets the sum of all forces but gravity, world frame.
+    /// The sum of all forces but gravity and contacts, world frame. Zero for a body that nothing
+    /// pushes.
+    pub fn force(&self) -> ForceVec<Enu> {
+        ForceVec::from_si(self.motion().force())
+    }
+
+    /// The torque, body frame.
+    pub fn torque(&self) -> TorqueVec<Flu> {
+        TorqueVec::from_si(self.motion().torque())
+    }
+
+    /// Sets the sum of all forces but gravity, world frame. They act at the centre of mass, and keep
+    /// their direction in the world until they are set again.
     pub fn set_force(&mut self, force: ForceVec<Enu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_force(now, force.si()));
+        self.change(|motion, now| motion.set_force(now, force.si()));
+    }
+
+    /// The same, given in the body frame. Turning afterwards does not turn the force.
+    pub fn set_force_flu(&mut self, force: ForceVec<Flu>) {
+        self.change(|motion, now| motion.set_force_flu(now, force.si()));
     }
 
     /// Adds to the forces, world frame, at the centre of mass.
     pub fn add_force(&mut self, force: ForceVec<Enu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.add_force(now, force.si()));
+        self.change(|motion, now| motion.add_force(now, force.si()));
     }
 
-    /// Sets the torque, body frame.
+    /// Adds to the forces, body frame, at the centre of mass.
+    pub fn add_force_flu(&mut self, force: ForceVec<Flu>) {
+        self.change(|motion, now| motion.add_force_flu(now, force.si()));
+    }
+
+    /// Adds a force, world frame, that pulls at a point of the world: it turns the body too, by a
+    /// torque that stays as it is now in the body.
+    pub fn add_force_at(&mut self, force: ForceVec<Enu>, point: Position) {
+        let arm = point - self.position();
+        self.change(|motion, now| motion.add_force_at(now, force.si(), arm.si()));
+    }
+
+    /// Adds a force, body frame, that pulls at a point of the body.
+    pub fn add_force_at_flu(&mut self, force: ForceVec<Flu>, point: Offset) {
+        self.change(|motion, now| motion.add_force_at_flu(now, force.si(), point.si()));
+    }
+
+    /// Sets the torque, body frame. It turns with the body, and holds until it is set again.
     pub fn set_torque(&mut self, torque: TorqueVec<Flu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_torque(now, torque.si()));
+        self.change(|motion, now| motion.set_torque(now, torque.si()));
+    }
+
+    /// Adds to the torque, body frame.
+    pub fn add_torque(&mut self, torque: TorqueVec<Flu>) {
+        self.change(|motion, now| motion.add_torque(now, torque.si()));
+    }
+
+    /// Adds to the torque, world frame: from now on it turns with the body.
+    pub fn add_torque_enu(&mut self, torque: TorqueVec<Enu>) {
+        self.change(|motion, now| motion.add_torque_enu(now, torque.si()));
+    }
+
+    /// Sets force and torque at once. A zero wrench lets the body go.
+    pub fn set_wrench(&mut self, wrench: Wrench) {
+        let (force, torque) = (wrench.force.si(), wrench.torque.si());
+        self.change(|motion, now| motion.set_wrench(now, force, torque));
     }
 
     /// Gives a push, world frame, at the centre of mass: the velocity changes at once, by the
     /// impulse over the mass.
     pub fn push(&mut self, impulse: ImpulseVec<Enu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.add_impulse(now, impulse.si()));
+        self.change(|motion, now| motion.add_impulse(now, impulse.si()));
+    }
+
+    /// Gives a push, body frame, at the centre of mass.
+    pub fn push_flu(&mut self, impulse: ImpulseVec<Flu>) {
+        self.change(|motion, now| motion.add_impulse_flu(now, impulse.si()));
+    }
+
+    /// Gives a push, world frame, at a point of the world: it turns the body too.
+    pub fn push_at(&mut self, impulse: ImpulseVec<Enu>, point: Position) {
+        let arm = point - self.position();
+        self.change(|motion, now| motion.add_impulse_at(now, impulse.si(), arm.si()));
+    }
+
+    /// Gives a push, body frame, at a point of the body.
+    pub fn push_at_flu(&mut self, impulse: ImpulseVec<Flu>, point: Offset) {
+        self.change(|motion, now| motion.add_impulse_at_flu(now, impulse.si(), point.si()));
+    }
+
+    /// Gives an angular push, body frame: the rate changes at once by what `torque` does to a body
+    /// at rest in the time `during`.
+    pub fn spin(&mut self, torque: TorqueVec<Flu>, during: Time) {
+        let impulse = torque.si() * during.get();
+        self.change(|motion, now| motion.add_angular_impulse(now, impulse));
     }
 
     /// Sets the velocity, world frame.
     pub fn set_velocity(&mut self, velocity: Velocity<Enu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_velocity(now, velocity.si()));
+        self.change(|motion, now| motion.set_velocity(now, velocity.si()));
     }
 
-    /// Sets how the body points.
-    pub fn set_attitude(&mut self, attitude: Attitude) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_attitude(now, attitude));
+    /// Sets the velocity, body frame.
+    pub fn set_velocity_flu(&mut self, velocity: Velocity<Flu>) {
+        self.change(|motion, now| motion.set_velocity_flu(now, velocity.si()));
     }
 
     /// Sets the angular rate, body frame.
     pub fn set_rate(&mut self, rate: Rate<Flu>) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_rate(now, rate.si()));
+        self.change(|motion, now| motion.set_rate(now, rate.si()));
     }
 
-    /// Puts the body elsewhere.
+    /// Sets velocity and angular rate at once.
+    pub fn set_twist(&mut self, twist: Twist) {
+        let (linear, angular) = (twist.linear.si(), twist.angular.si());
+        self.change(|motion, now| motion.set_twist(now, linear, angular));
+    }
+
+    /// Sets how the body points.
+    pub fn set_attitude(&mut self, attitude: Attitude) {
+        self.change(|motion, now| motion.set_attitude(now, attitude));
+    }
+
+    /// Puts the body elsewhere, without a way between.
     pub fn set_position(&mut self, position: Position) {
-        let now = self.cx.now;
-        self.change(|motion| motion.set_position(now, position.si()));
+        self.change(|motion, now| motion.set_position(now, position.si()));
+        self.jumped();
+    }
+
+    /// Puts the body elsewhere, and turns it.
+    pub fn set_pose(&mut self, pose: Pose) {
+        let Pose { position, attitude } = pose;
+        self.change(|motion, now| motion.set_pose(now, position.si(), attitude));
+        self.jumped();
+    }
+
+    fn jumped(&mut self) {
         if let Some(own) = &mut *self.cx.own {
             own.jumped = true;
         }

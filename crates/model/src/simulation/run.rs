@@ -306,7 +306,7 @@ impl Simulation {
             scenario: self.origin.name.clone(),
             seed: self.origin.seed,
             models: swarm.population.len(),
-            bodies: swarm.owners.len(),
+            bodies: swarm.bodies.iter().flatten().count(),
             radios: engine.agents().iter().map(|a| a.core.radios.len()).sum(),
             threads: engine.threads(),
             ended: ended.to_owned(),

@@ -3,6 +3,7 @@
 use crate::component::Component;
 use crate::config::Fault;
 use crate::instance::{GearPlan, Instance};
+use crate::message::Thing;
 use crate::population::{Member, Population};
 use crate::registry::{ModelFactory, VehicleFactory};
 use crate::swarm::{Agent, Core, MailRoom, Swarm};
@@ -10,10 +11,10 @@ use crate::view::Origin;
 use simbeeotic_kernel::Stream;
 use simbeeotic_kernel::rng::path_key;
 use simbeeotic_kernel::{Limits, ModelId, Timers};
-use simbeeotic_physics::{Config as PhysicsConfig, Physics};
+use simbeeotic_physics::{BodyError, Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
 use simbeeotic_units::Pose;
-use simbeeotic_world::{Weather, World};
+use simbeeotic_world::{ObjectId, Weather, World};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -33,7 +34,7 @@ pub struct Setup {
     pub medium: Option<Box<dyn Medium>>,
     /// The weather.
     pub weather: Arc<dyn Weather>,
-    /// The world's objects.
+    /// The world's objects. They are solid, and nothing moves them.
     pub world: Arc<World>,
     /// The models, in order; parents before their children.
     pub models: Vec<ModelPlan>,
@@ -66,6 +67,14 @@ pub enum SetupError {
     /// Models cannot be built: each fault once, with the path of the first model that has it.
     #[error("{}", .0.iter().map(|(path, fault)| format!("{path}: {fault}")).collect::<Vec<_>>().join("; "))]
     Models(Vec<(String, Fault)>),
+    /// An object of the world cannot be a body.
+    #[error("{object} of the world: {fault}")]
+    Object {
+        /// Which.
+        object: ObjectId,
+        /// What physics says.
+        fault: BodyError,
+    },
     /// Two models have one path.
     #[error("two models are called `{path}`")]
     DuplicatePath {
@@ -128,7 +137,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             }
         };
         if instance.body.is_some() {
-            owners.push(id);
+            owners.push(Thing::Model(id));
         }
         bodies.push(instance.body);
         keys.push(path_key(&plan.path));
@@ -147,6 +156,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         return Err(SetupError::Models(faults));
     }
     check_keys(&keys, &population)?;
+    add_objects(&setup.world, seed, &mut physics, &mut owners)?;
     let swarm = Swarm {
         physics,
         gravity: setup.physics.gravity,
@@ -170,6 +180,25 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         contact_nanos: 0,
     };
     Ok((swarm, agents))
+}
+
+/// Puts the objects of the world in their places, after all models: those keep their ids.
+fn add_objects(
+    world: &World,
+    seed: u64,
+    physics: &mut Physics,
+    owners: &mut Vec<Thing>,
+) -> Result<(), SetupError> {
+    for object in world.objects(seed) {
+        let id = object.id;
+        for body in crate::objects::bodies(&object) {
+            physics
+                .add(body)
+                .map_err(|fault| SetupError::Object { object: id, fault })?;
+            owners.push(Thing::Object(id));
+        }
+    }
+    Ok(())
 }
 
 /// Chance and traces hang on the keys of paths: no two may be the same.

@@ -1,4 +1,5 @@
-//! A sphere that flies velocity set points: the vehicle of the paper's experiments.
+//! A body, a sphere unless said otherwise, that flies velocity set points: the vehicle of the paper's
+//! experiments.
 //!
 //! Every control period the bee compares the velocity it was asked for with the one it has and
 //! pushes itself by the difference:
@@ -27,10 +28,11 @@ use simbeeotic_model::{
     BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
 };
 
+use super::outline::{Outline, depth_m};
 use crate::phase::Phase;
 
-/// A sphere that turns at once and follows velocity set points with a lag: cheap enough for a
-/// hundred thousand.
+/// A body that turns at once and follows velocity set points with a lag: cheap enough for a hundred
+/// thousand. It is a sphere, or what `shape` says.
 #[vehicle("simple-bee")]
 pub struct SimpleBee {
     params: SimpleBeeParams,
@@ -46,8 +48,16 @@ pub struct SimpleBee {
 /// Parameters of [`SimpleBee`].
 #[params]
 pub struct SimpleBeeParams {
-    /// Diameter of the body.
+    /// Diameter of the body, a sphere. With another `shape`: of the disc that the wind meets.
     pub length: Length,
+    /// Outline of the body, if it is not a sphere: `{ box = { length = "10 cm", width = "10 cm",
+    /// height = "3 cm" } }`, or `cylinder`, `capsule`, `cone`, `hull`, `mesh`, `parts`. Its density is
+    /// even; its moments of inertia follow from that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shape: Option<Outline>,
+    /// Whether a sphere rolls on what it touches. If not it slides, upright, as on landing gear. Other
+    /// shapes turn as contacts turn them.
+    pub rolls: bool,
     /// Mass of the body.
     pub mass: Mass,
     /// The most that the actuators accelerate the body, besides carrying its weight.
@@ -91,6 +101,8 @@ impl Default for SimpleBeeParams {
     fn default() -> Self {
         Self {
             length: Length::si(0.1),
+            shape: None,
+            rolls: false,
             mass: Mass::si(0.128),
             max_acceleration: Acceleration::si(1.0),
             control_period: Time::si(0.1),
@@ -146,22 +158,29 @@ fn check(p: &SimpleBeeParams) -> Result<(), BuildError> {
     at_least_zero("drag_coefficient", p.drag_coefficient)?;
     in_range("friction", p.friction, 0.0..=limits::FRICTION_MAX)?;
     in_range("restitution", p.restitution, 0.0..=1.0)?;
-    // What is left is the moment of inertia.
-    let fault = |error| format!("does not go with the mass: {error}");
-    let whole = body(p).check();
-    whole.map_err(|error| BuildError::parameter("length", fault(error)))
+    // What is left is the shape and its moments of inertia.
+    body(p).check().map_err(|error| match p.shape {
+        Some(_) => BuildError::parameter("shape", format!("cannot fly: {error}")),
+        None => BuildError::parameter("length", format!("does not go with the mass: {error}")),
+    })
 }
 
 /// The body of a bee with these parameters.
 fn body(p: &SimpleBeeParams) -> BodySpec {
-    let radius = 0.5 * p.length.metres();
+    let shape = match &p.shape {
+        Some(outline) => outline.shape(),
+        None => Shape::Sphere {
+            radius_m: 0.5 * p.length.metres(),
+        },
+    };
     let mask = if p.bee_collisions {
         group::ALL
     } else {
         group::ALL & !group::BEE
     };
     BodySpec {
-        p_enu: DVec3::new(0.0, 0.0, radius),
+        p_enu: DVec3::new(0.0, 0.0, depth_m(&shape)),
+        rolls: p.rolls,
         contacts: match p.contacts {
             ContactMode::None => Contacts::None,
             ContactMode::Detect => Contacts::Detect,
@@ -173,7 +192,7 @@ fn body(p: &SimpleBeeParams) -> BodySpec {
         },
         group: group::BEE,
         mask,
-        ..BodySpec::new(Shape::Sphere { radius_m: radius }, p.mass.kilograms())
+        ..BodySpec::new(shape, p.mass.kilograms())
     }
 }
 

@@ -4,7 +4,9 @@ use crate::swarm::{bee, run, run_in, vehicle, with_radio, with_sensor};
 use simbeeotic_model::kernel::SimTime;
 use simbeeotic_model::units::{Angle, Enu, Heading, Position, Time, Velocity};
 use simbeeotic_model::world::{Calm, Weather};
-use simbeeotic_model::{Bee, Behavior, BuildError, Consumer, Handle, Kit, Touch, behavior, params};
+use simbeeotic_model::{
+    Bee, Behavior, BuildError, Consumer, Handle, Kit, Thing, Touch, behavior, params,
+};
 use std::sync::Arc;
 
 #[test]
@@ -233,7 +235,7 @@ impl Behavior for Faller {
                 "the original was up to 0.1 s late; this is {late} s"
             );
             assert_eq!(bee.now(), touch.time);
-            assert_eq!(touch.other, None);
+            assert_eq!(touch.other, Thing::Ground);
             assert!(touch.normal[2] < -0.999, "the ground is below");
             assert!(
                 bee.position().up().metres() > 0.05 - 1e-6,

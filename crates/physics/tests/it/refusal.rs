@@ -109,42 +109,42 @@ fn bodies_that_cannot_be_are_refused() {
     let good = ball(DVec3::ZERO);
     let inertia = |x, y, z| BodySpec {
         inertia_kg_m2: DVec3::new(x, y, z),
-        ..good
+        ..good.clone()
     };
     let sphere = |radius_m| BodySpec {
         shape: Shape::Sphere { radius_m },
-        ..good
+        ..good.clone()
     };
     let friction = |friction| BodySpec {
         material: Material {
             friction,
             ..Material::default()
         },
-        ..good
+        ..good.clone()
     };
     let bounce = |restitution| BodySpec {
         material: Material {
             restitution,
             ..Material::default()
         },
-        ..good
+        ..good.clone()
     };
     let bad = [
         BodySpec {
             mass_kg: 0.0,
-            ..good
+            ..good.clone()
         },
         BodySpec {
             mass_kg: -1.0,
-            ..good
+            ..good.clone()
         },
         BodySpec {
             mass_kg: f64::NAN,
-            ..good
+            ..good.clone()
         },
         BodySpec {
             mass_kg: f64::INFINITY,
-            ..good
+            ..good.clone()
         },
         inertia(0.0, 1.0, 1.0),
         inertia(1.0, 1.0, 3.0),
@@ -158,26 +158,26 @@ fn bodies_that_cannot_be_are_refused() {
         bounce(-0.1),
         BodySpec {
             p_enu: DVec3::splat(f64::NAN),
-            ..good
+            ..good.clone()
         },
         BodySpec {
             v_enu: DVec3::splat(1e9),
-            ..good
+            ..good.clone()
         },
         BodySpec {
             w_flu: DVec3::splat(f64::INFINITY),
-            ..good
+            ..good.clone()
         },
         BodySpec {
             shape: Shape::Box { half_m: DVec3::ONE },
-            ..good
+            ..good.clone()
         },
         BodySpec {
             shape: Shape::Box {
                 half_m: DVec3::new(1.0, 0.0, 1.0),
             },
             mobility: Mobility::Fixed,
-            ..good
+            ..good.clone()
         },
     ];
     for spec in bad {
@@ -187,7 +187,7 @@ fn bodies_that_cannot_be_are_refused() {
     let hive = BodySpec {
         shape: Shape::Box { half_m: DVec3::ONE },
         mobility: Mobility::Fixed,
-        ..good
+        ..good.clone()
     };
     assert!(physics.add(hive).is_ok());
 }

@@ -5,7 +5,7 @@
 //! [channel]    use, medium, noise_floor, range_limit, the propagation's own parameters
 //! [weather]    use, its own parameters
 //! world        = "file", or [world] with the world itself
-//! [physics]    gravity, ground, list_period
+//! [physics]    gravity, ground, how faithfully contacts are simulated
 //! [record]     the recorder's parameters
 //! [[model]]    use, name, count, start, params, vehicle, sensor, radio, model (nested)
 //! [[component]] use, its own parameters
@@ -15,23 +15,25 @@
 //! together with those of the first. What only shows when the models are put together (a behaviour
 //! that misses a sensor) is told by the run's set-up.
 //!
-//! Reading order: `section` (how a table is read), `run`, `shared` (what is one for all), `start`,
-//! `gear` (sensors and radios), `group` (the models).
+//! Reading order: `section` (how a table is read), `run`, `shared` (what is one for all), `physics`,
+//! `start`, `gear` (sensors and radios), `group` (the models).
 
 mod gear;
 pub(crate) mod group;
+mod physics;
 mod run;
 mod section;
 mod shared;
 mod start;
 
 pub use group::Group;
+pub use physics::PhysicsParams;
 pub use run::{Pace, Run};
 pub use shared::{Channel, MediumKind};
 
 use section::Section;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
-use simbeeotic_model::physics;
+use simbeeotic_model::physics::Config;
 use simbeeotic_model::registry::{Part, find};
 use simbeeotic_world::World;
 use std::path::{Path, PathBuf};
@@ -51,8 +53,8 @@ pub struct Plan {
     pub weather: Option<Choice>,
     /// What stands in the world.
     pub world: Arc<World>,
-    /// Gravity and ground.
-    pub physics: physics::Config,
+    /// Gravity and ground, and how faithfully contacts are simulated.
+    pub physics: Config,
     /// The models, entry by entry.
     pub models: Vec<Group>,
     /// Who watches.
@@ -105,9 +107,8 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         .get("weather")
         .and_then(|node| shared::weather(node, &mut cx.faults));
     let world = shared::world(section.get("world"), cx);
-    let physics = section
-        .get("physics")
-        .map(|node| shared::physics(node, &mut cx.faults));
+    let ground = world.as_ref().map(|w| w.ground.clone()).unwrap_or_default();
+    let physics = physics::physics(section.get("physics"), &ground, &mut cx.faults);
     let components = shared::components(&mut section, &mut cx.faults);
     let models = section
         .entry("model")
@@ -138,7 +139,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         channel,
         weather,
         world: Arc::new(world?),
-        physics: physics.unwrap_or_default(),
+        physics,
         models,
         components,
     })

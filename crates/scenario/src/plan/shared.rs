@@ -1,13 +1,12 @@
-//! What is one for all models: channel, weather, world, physics, components.
+//! What is one for all models: channel, weather, world, components.
 
 use super::section::{Section, read};
 use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
-use simbeeotic_model::physics::{Config, Material};
 use simbeeotic_model::radio::{Medium, Propagation, SimpleConfig, SimpleMedium};
 use simbeeotic_model::registry::{Kind, Make, find};
-use simbeeotic_units::{Acceleration, Decibels, Length, PowerLevel, Time};
+use simbeeotic_units::{Decibels, Length, PowerLevel};
 use simbeeotic_world::World;
 use std::sync::Arc;
 
@@ -118,62 +117,6 @@ pub(super) fn weather(node: &Node, faults: &mut Vec<Fault>) -> Option<Choice> {
         make(&params).map_err(|found| faults.extend(found)).ok()?;
     }
     Some(Choice { part, params })
-}
-
-/// `[physics]`
-#[derive(Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct PhysicsSection {
-    gravity: Acceleration,
-    ground: bool,
-    friction: f64,
-    restitution: f64,
-    list_period: Time,
-}
-
-impl Default for PhysicsSection {
-    fn default() -> Self {
-        let config = Config::default();
-        let ground = Material::default();
-        Self {
-            gravity: config.gravity,
-            ground: config.ground.is_some(),
-            friction: ground.friction,
-            restitution: ground.restitution,
-            list_period: config.list_period,
-        }
-    }
-}
-
-pub(super) fn physics(node: &Node, faults: &mut Vec<Fault>) -> Config {
-    let Some(section) = read::<PhysicsSection>(node, faults) else {
-        return Config::default();
-    };
-    let PhysicsSection {
-        gravity,
-        ground,
-        friction,
-        restitution,
-        list_period,
-    } = section;
-    let ground = ground.then_some(Material {
-        friction,
-        restitution,
-    });
-    let config = Config {
-        gravity,
-        ground,
-        list_period,
-        ..Config::default()
-    };
-    if let Err(error) = config.check() {
-        let text = error.to_string();
-        let keys = ["gravity", "friction", "restitution", "list_period"];
-        let key = keys.into_iter().find(|key| text.contains(key));
-        let value = key.and_then(|key| node.as_table().and_then(|t| t.get(key)));
-        faults.push(Fault::error(value.map_or(node.span, |n| n.span), text));
-    }
-    config
 }
 
 /// `[[component]]`, and `[record]`, which is the recorder by a shorter name.

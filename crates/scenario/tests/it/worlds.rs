@@ -268,3 +268,108 @@ fn said(name: &str, text: &str) -> String {
         Err(said) => said,
     }
 }
+
+const SHAPES: &str = r##"
+ground = { friction = 0.9 }
+
+[[obstacle]]
+label = "post"
+position = ["1 m", "2 m", "0 m"]
+shape = { capsule = { radius = "10 cm", height = "2 m" } }
+friction = 0.2
+restitution = 0.7
+
+[[obstacle]]
+attitude = { yaw = "90 deg", roll = "30 deg" }
+[obstacle.shape.hull]
+points = [["0 m", "0 m", "0 m"], ["1 m", "0 m", "0 m"], ["0 m", "1 m", "0 m"], ["0 m", "0 m", "1 m"]]
+
+[[obstacle]]
+[obstacle.shape.mesh]
+points = [["0 m", "0 m", "0 m"], ["1 m", "0 m", "0 m"], ["0 m", "1 m", "0 m"]]
+triangles = [[0, 1, 2]]
+
+[[obstacle]]
+[[obstacle.shape.parts]]
+position = ["0 m", "0 m", "1 m"]
+shape = { box = { length = "3 m" } }
+[[obstacle.shape.parts]]
+position = ["0 m", "0 m", "2 m"]
+shape = { sphere = { radius = "50 cm" } }
+
+[terrain]
+position = ["0 m", "0 m", "-1 m"]
+[terrain.height_field]
+length = "100 m"
+width = "50 m"
+heights = [["0 m", "1 m", "0 m"], ["0 m", "2 m", "0 m"]]
+"##;
+
+#[test]
+fn shapes_of_points_parts_and_terrain_are_read() {
+    let world = world("w.toml", SHAPES);
+    let solids: Vec<usize> = world.objects(1).iter().map(|o| o.solids.len()).collect();
+    assert_eq!(solids, [1, 1, 1, 2, 1]);
+    let post = &world.obstacles[0];
+    assert_eq!((post.friction, post.restitution), (0.2, 0.7));
+    assert_eq!(world.ground.friction, Some(0.9));
+    let printed = format!("world = \"w.toml\"\n{RUN}");
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("w.toml"), SHAPES).expect("written");
+    fs::write(folder.path().join("x.toml"), printed).expect("written");
+    let loaded = load_file(&folder.path().join("x.toml"), &Request::default())
+        .unwrap_or_else(|r| panic!("{}", shown(&r)));
+    let ground = loaded.plan().physics.ground.expect("it is solid");
+    assert_eq!((ground.friction, ground.restitution), (0.9, 0.0));
+}
+
+#[test]
+fn wrong_shapes_say_what_and_where() {
+    let toml = r##"[[obstacle]]
+shape = { capsule = { radius = "1 m", height = "2 m" } }
+restitution = 2.0
+[[obstacle]]
+[obstacle.shape.hull]
+points = [
+    ["0 m", "0 m", "0 m"],
+    ["1 m", "0 m", "0 m"],
+    ["300 km", "0 m", "0 m"],
+]
+[[obstacle]]
+[obstacle.shape.mesh]
+points = [["0 m", "0 m", "0 m"], ["1 m", "0 m", "0 m"], ["0 m", "1 m", "0 m"]]
+triangles = [
+    [0, 1, 2],
+    [0, 1, 7],
+]
+[[obstacle]]
+[[obstacle.shape.parts]]
+shape = { parts = [] }
+[terrain.height_field]
+length = "100 m"
+width = "0 m"
+heights = [
+    ["0 m", "1 m", "0 m"],
+    ["0 m"],
+]
+"##;
+    insta::assert_snapshot!("wrong_shapes", said("w.toml", toml));
+}
+
+#[test]
+fn what_makes_no_body_is_refused_where_it_is_written() {
+    let flat = r##"[[obstacle]]
+[[obstacle.shape.parts]]
+shape = { sphere = {} }
+[[obstacle.shape.parts]]
+[obstacle.shape.parts.shape.hull]
+points = [
+    ["0 m", "0 m", "0 m"],
+    ["1 m", "0 m", "0 m"],
+    ["0 m", "1 m", "0 m"],
+    ["1 m", "1 m", "0 m"],
+]
+"##;
+    let said = said("w.toml", flat);
+    assert!(said.contains("w.toml:5:"), "{said}");
+}

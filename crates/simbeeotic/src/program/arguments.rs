@@ -1,5 +1,6 @@
 //! What the program can be asked, and the help that teaches it.
 
+use super::bench::Experiment;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -69,7 +70,8 @@ pub(super) enum Command {
     #[command(after_help = EXPORT_COLUMNS)]
     Export(ExportOptions),
     /// Measure this machine with the paper's experiments
-    Bench(BenchOptions),
+    #[command(subcommand)]
+    Bench(Experiment),
 }
 
 const RUN_EXAMPLES: &str = "\
@@ -182,49 +184,10 @@ pub(super) struct ExportOptions {
     pub(super) to: Option<String>,
 }
 
-#[derive(Args)]
-pub(super) struct BenchOptions {
-    /// Which experiment: fig7 (swarm size)
-    #[arg(value_parser = ["fig7"])]
-    pub(super) experiment: String,
-    /// Swarm sizes
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "1000,3000,10000,30000",
-        value_parser = swarm_size,
-        allow_negative_numbers = true
-    )]
-    pub(super) n: Vec<u32>,
-    /// Virtual time of each run; the paper's is "100 s"
-    #[arg(
-        long,
-        default_value = "10 s",
-        value_name = "TIME",
-        allow_hyphen_values = true
-    )]
-    pub(super) duration: String,
-    /// Threads that run models
-    #[arg(long, default_value_t = 1, value_parser = threads, allow_negative_numbers = true)]
-    pub(super) threads: usize,
-    /// Start: paper (random in a 20 m cube) or density (one bee per 8 cubic metres)
-    #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
-    pub(super) start: String,
-    /// Timers: all bees at once (aligned), or each at its own time (random)
-    #[arg(long, default_value = "aligned", value_parser = ["aligned", "random"])]
-    pub(super) phase: String,
-    /// Bees do not collide
-    #[arg(long)]
-    pub(super) no_contacts: bool,
-    /// Print the rows as JSON
-    #[arg(long)]
-    pub(super) json: bool,
-}
-
 /// More threads than this are a slip of the keyboard.
 const THREADS_MAX: usize = 4096;
 
-fn threads(text: &str) -> Result<usize, String> {
+pub(super) fn threads(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(threads) if (1..=THREADS_MAX).contains(&threads) => Ok(threads),
         _ => Err(format!("threads lie between 1 and {THREADS_MAX}")),
@@ -238,7 +201,7 @@ fn factor(text: &str) -> Result<f64, String> {
     }
 }
 
-fn swarm_size(text: &str) -> Result<u32, String> {
+pub(super) fn swarm_size(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(n) if n > 0 => Ok(n),
         _ => Err("a swarm has one bee or more".to_owned()),

@@ -50,7 +50,7 @@ pub fn main() -> ExitCode {
         } => new::new(&name, path.as_deref(), library.as_deref()),
         Command::Convert(options) => convert::convert(&options),
         Command::Export(options) => export::export(&options),
-        Command::Bench(options) => bench::bench(&options),
+        Command::Bench(experiment) => bench::bench(&experiment),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

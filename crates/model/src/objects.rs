@@ -1,0 +1,102 @@
+//! The objects of a world as bodies that nothing moves.
+
+use simbeeotic_physics::{
+    BodyError, BodySpec, HeightField, Hull, Material, Mesh, Mobility, Shape, group,
+};
+use simbeeotic_units::{Length, Offset, glam};
+use simbeeotic_world::{Object, ObjectKind, Solid, SolidShape};
+use std::sync::Arc;
+
+/// The bodies that an object is made of, one for each of its solids. They bounce off everything
+/// whose mask includes their group: [`group::FLOWER`] for flowers, [`group::TERRAIN`] for the rest,
+/// as in the original.
+pub fn bodies<'a>(object: &'a Object<'_>) -> impl Iterator<Item = BodySpec> + 'a {
+    let group = match object.id.kind {
+        ObjectKind::Flower => group::FLOWER,
+        _ => group::TERRAIN,
+    };
+    let material = Material {
+        friction: object.surface.friction,
+        restitution: object.surface.restitution,
+    };
+    object.solids.iter().map(move |solid| BodySpec {
+        p_enu: solid.center.si(),
+        attitude: solid.attitude,
+        // Nobody can push it: mass and moments mean nothing.
+        inertia_kg_m2: glam::DVec3::ONE,
+        mobility: Mobility::Fixed,
+        material,
+        group,
+        ..BodySpec::new(shape(solid), 1.0)
+    })
+}
+
+/// Whether physics takes a solid as the shape of an object.
+///
+/// # Errors
+/// What is wrong with it: a hull without volume, say.
+pub fn check(solid: &Solid) -> Result<(), BodyError> {
+    BodySpec {
+        inertia_kg_m2: glam::DVec3::ONE,
+        mobility: Mobility::Fixed,
+        ..BodySpec::new(shape(solid), 1.0)
+    }
+    .check()
+}
+
+fn shape(solid: &Solid) -> Shape {
+    match &solid.shape {
+        SolidShape::Box {
+            half_length,
+            half_width,
+            half_height,
+        } => Shape::Box {
+            half_m: glam::DVec3::new(half_length.get(), half_width.get(), half_height.get()),
+        },
+        SolidShape::Cylinder {
+            radius,
+            half_height,
+        } => Shape::Cylinder {
+            radius_m: radius.get(),
+            half_height_m: half_height.get(),
+        },
+        SolidShape::Sphere { radius } => Shape::Sphere {
+            radius_m: radius.get(),
+        },
+        SolidShape::Cone {
+            radius,
+            half_height,
+        } => Shape::Cone {
+            radius_m: radius.get(),
+            half_height_m: half_height.get(),
+        },
+        SolidShape::Capsule {
+            radius,
+            half_height,
+        } => Shape::Capsule {
+            radius_m: radius.get(),
+            half_height_m: half_height.get(),
+        },
+        SolidShape::Hull { points } => Shape::Hull(Arc::new(Hull {
+            points_m: metres(points),
+        })),
+        SolidShape::Mesh { points, triangles } => Shape::Mesh(Arc::new(Mesh {
+            points_m: metres(points),
+            triangles: triangles.to_vec(),
+        })),
+        SolidShape::HeightField {
+            length,
+            width,
+            columns,
+            heights,
+        } => Shape::HeightField(Arc::new(HeightField {
+            size_m: glam::DVec2::new(length.get(), width.get()),
+            columns: *columns,
+            heights_m: heights.iter().copied().map(Length::get).collect(),
+        })),
+    }
+}
+
+fn metres(points: &[Offset]) -> Vec<glam::DVec3> {
+    points.iter().map(|point| point.si()).collect()
+}

@@ -1,0 +1,12 @@
+//! When two forms first touch.
+
+use crate::motion::Motion;
+use crate::shape::form::Form;
+use simbeeotic_kernel::SimTime;
+
+/// One of the two in a search.
+#[derive(Clone, Copy)]
+pub(crate) struct Side<'a> {
+    pub(crate) motion: &'a Motion,
+    pub(crate) form: &'a Form,
+}

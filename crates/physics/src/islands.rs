@@ -1,0 +1,498 @@
+//! Bodies in lasting contact, stepped together.
+//!
+//! An impact is an instant, and is answered by an impulse. Contact that lasts is not a row of instants:
+//! bodies that press upon one another, or that roll, topple and stack, form an *island*, which advances
+//! in steps of its own, `Config::island_step` long. Everything else goes on without steps, and an island
+//! at rest costs nothing.
+//!
+//! - **Trajectories stay the truth.** A step from `t` to `t + dt` is computed at `t`, and each member gets
+//!   a segment from `t` on that leads to the pose found, at constant velocity and body rate. So its place
+//!   is known, and continuous, at any time. The wrench that was set waits in the segment and goes on
+//!   acting ([`Support::Island`](crate::Support::Island)).
+//! - **Commands act with the next step.** A member whose segment somebody has changed is taken over as it
+//!   then is. A change of course that would carry it noticeably astray until then cuts the step short.
+//! - **Join and leave.** Whoever touches a member lastingly joins; two islands become one. A member that
+//!   has touched nothing for four steps flies on freely.
+//! - **Rest.** A group that touch one another and have all been still for half a second are put to rest:
+//!   their segments stand, their island has no next step, and no world. It wakes when one of them
+//!   changes, or is joined.
+//! - **Nothing but its own history** goes into an island: the order of its members is that of their ids,
+//!   and it shares no state with another.
+//!
+//! For the queue: [`Islands::take_due`] hands out `(time, key)` of steps to come; an entry is void unless
+//! [`Islands::due`] says so when it comes. After [`Physics::step_island`] the bodies in `changed` follow
+//! new segments.
+
+use crate::body::{BodySpec, Mobility};
+use crate::contact::Contact;
+use crate::error::BodyError;
+use crate::island::{Sweep, World};
+use crate::motion::{Motion, seconds_between};
+use crate::physics::{Physics, duty};
+use crate::queue::GROUND;
+use crate::shape::form::{Form, Place};
+use glam::DVec3;
+use rapier3d_f64::dynamics::RigidBodyHandle;
+use simbeeotic_kernel::SimTime;
+
+/// A change of course that takes a member farther than this from where it was to be at the end of the
+/// step cuts the step short, m.
+const ASTRAY_M: f64 = 5e-4;
+/// No slot: the body is in no island.
+const NOWHERE: u32 = u32::MAX;
+
+/// What an island knows of a segment that it has written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Led {
+    /// The segment, as written.
+    pub(crate) motion: Motion,
+    /// The step: from when to when, and how fast at its ends.
+    pub(crate) span: [SimTime; 2],
+    pub(crate) sweeps: [Sweep; 2],
+}
+
+/// A body in an island.
+#[derive(Clone, Debug)]
+pub(crate) struct Member {
+    pub(crate) id: u32,
+    /// Its body in the island's world; `None` until the next step takes it in.
+    pub(crate) body: Option<RigidBodyHandle>,
+    pub(crate) led: Option<Led>,
+    /// Where the world has it.
+    pub(crate) at: Place,
+    /// Fixed bodies within are in the world.
+    pub(crate) scope: [DVec3; 2],
+    /// For how long it has been still, s.
+    pub(crate) still_s: f64,
+    /// Its segment stands.
+    pub(crate) resting: bool,
+    /// Steps since it touched something.
+    pub(crate) alone: u32,
+}
+
+impl Member {
+    fn new(id: u32) -> Self {
+        Self {
+            id,
+            body: None,
+            led: None,
+            at: Place {
+                p: DVec3::ZERO,
+                q: glam::DQuat::IDENTITY,
+            },
+            scope: [DVec3::INFINITY, DVec3::NEG_INFINITY],
+            still_s: 0.0,
+            resting: false,
+            alone: 0,
+        }
+    }
+
+    /// Takes it out of its world.
+    pub(crate) fn detach(&mut self) {
+        self.body = None;
+        self.scope = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        self.still_s = 0.0;
+        self.resting = false;
+        self.alone = 0;
+    }
+
+    /// Whether somebody else has begun a new segment.
+    pub(crate) fn changed(&self, motion: &Motion) -> bool {
+        self.led.is_none_or(|led| led.motion.stamp != motion.stamp)
+    }
+
+    /// How it moves at `t`: as the world says, and as its segment was changed since.
+    pub(crate) fn sweep(&self, motion: &Motion, t: SimTime) -> Sweep {
+        let state = motion.at(t);
+        let turning = |w_flu: DVec3| state.world_from_body * w_flu;
+        let Some(led) = &self.led else {
+            return Sweep {
+                v: state.v_enu,
+                w: turning(state.w_flu),
+            };
+        };
+        let [from, to] = led.span;
+        let whole = seconds_between(from, to);
+        let part = if whole > 0.0 {
+            (seconds_between(from, t) / whole).clamp(0.0, 1.0)
+        } else {
+            1.0
+        };
+        let [before, after] = led.sweeps;
+        let mut sweep = Sweep {
+            v: before.v.lerp(after.v, part),
+            w: before.w.lerp(after.w, part),
+        };
+        if led.motion.stamp != motion.stamp {
+            sweep.v += state.v_enu - led.motion.velocity(t);
+            sweep.w += turning(state.w_flu - led.motion.rate(t));
+        }
+        sweep
+    }
+}
+
+/// Bodies that are stepped together.
+#[derive(Debug, Default)]
+pub(crate) struct Island {
+    pub(crate) world: Option<Box<World>>,
+    /// By id.
+    pub(crate) members: Vec<Member>,
+    /// Fixed bodies in the world, ascending.
+    pub(crate) fixed: Vec<u32>,
+    /// Who pressed upon whom in the last step, ascending.
+    pub(crate) touches: Vec<(u32, u32)>,
+    /// When the next step is due; `None` at rest.
+    pub(crate) next: Option<SimTime>,
+    /// The present step was cut short: all members are taken over as they are.
+    pub(crate) cut: bool,
+    /// Somebody has come to rest since it was last asked who rests together.
+    pub(crate) settling: bool,
+}
+
+impl Island {
+    /// The member by which the island is known: that with the lowest id.
+    pub(crate) fn key(&self) -> u32 {
+        self.members.first().map_or(NOWHERE, |member| member.id)
+    }
+
+    pub(crate) fn position(&self, id: u32) -> Option<usize> {
+        self.members
+            .binary_search_by_key(&id, |member| member.id)
+            .ok()
+    }
+
+    fn enlist(&mut self, id: u32) {
+        if let Err(place) = self.members.binary_search_by_key(&id, |member| member.id) {
+            self.members.insert(place, Member::new(id));
+        }
+    }
+
+    /// Gives up the world; the next step makes a new one.
+    pub(crate) fn detach(&mut self) {
+        self.world = None;
+        self.fixed.clear();
+        for member in &mut self.members {
+            member.detach();
+        }
+    }
+
+    /// Takes the members of another over.
+    fn absorb(&mut self, mut other: Self) {
+        other.detach();
+        self.members.append(&mut other.members);
+        self.members.sort_by_key(|member| member.id);
+        self.touches.append(&mut other.touches);
+        self.touches.sort_unstable();
+    }
+}
+
+/// What an island has to know of a body, besides what `Physics` keeps.
+pub(crate) struct Trait {
+    pub(crate) form: Form,
+    /// A ball that rolls.
+    pub(crate) rolls: bool,
+}
+
+impl std::fmt::Debug for Trait {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Trait")
+            .field("rolls", &self.rolls)
+            .finish_non_exhaustive()
+    }
+}
+
+/// All islands.
+#[derive(Debug)]
+pub(crate) struct Islands {
+    /// Of each body.
+    pub(crate) traits: Vec<Trait>,
+    /// The fixed ones.
+    pub(crate) fixed: Vec<u32>,
+    slots: Vec<Box<Island>>,
+    vacant: Vec<u32>,
+    /// The slot of each body's island.
+    places: Vec<u32>,
+    due: Vec<(SimTime, u32)>,
+    pub(crate) step_ns: u64,
+    pub(crate) solver_iterations: usize,
+}
+
+impl Islands {
+    /// No island yet.
+    pub(crate) fn new(step_ns: u64, solver_iterations: usize) -> Self {
+        Self {
+            traits: Vec::new(),
+            fixed: Vec::new(),
+            slots: Vec::new(),
+            vacant: Vec::new(),
+            places: Vec::new(),
+            due: Vec::new(),
+            step_ns,
+            solver_iterations,
+        }
+    }
+
+    /// Takes notice of a new body.
+    pub(crate) fn add(&mut self, spec: &BodySpec) -> Result<(), BodyError> {
+        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
+        if spec.mobility == Mobility::Fixed {
+            self.fixed.push(self.traits.len() as u32);
+        }
+        self.traits.push(Trait {
+            form,
+            rolls: spec.rolls,
+        });
+        Ok(())
+    }
+
+    fn slot(&self, id: u32) -> Option<u32> {
+        self.places
+            .get(id as usize)
+            .copied()
+            .filter(|slot| *slot != NOWHERE)
+    }
+
+    fn island(&self, id: u32) -> Option<&Island> {
+        self.slot(id).map(|slot| &*self.slots[slot as usize])
+    }
+
+    /// Whether a body is in an island.
+    pub(crate) fn is_member(&self, id: u32) -> bool {
+        self.slot(id).is_some()
+    }
+
+    /// Whether two bodies are in one island, which then sees to their contact.
+    pub(crate) fn together(&self, a: u32, b: u32) -> bool {
+        self.slot(a).is_some_and(|slot| self.slot(b) == Some(slot))
+    }
+
+    /// Whether a step of the island known by `key` is due at `time`: else, the entry is void.
+    pub(crate) fn due(&self, key: u32, time: SimTime) -> bool {
+        self.island(key)
+            .is_some_and(|island| island.key() == key && island.next == Some(time))
+    }
+
+    /// Steps to be put into the queue since the last call: when, and of which island.
+    pub(crate) fn take_due(&mut self) -> std::vec::Drain<'_, (SimTime, u32)> {
+        self.due.drain(..)
+    }
+
+    /// Puts the next step of an island up for the queue.
+    fn announce(&mut self, slot: u32) {
+        let island = &self.slots[slot as usize];
+        if let Some(next) = island.next {
+            self.due.push((next, island.key()));
+        }
+    }
+
+    /// Lends out the island in `slot`; [`give_back`](Self::give_back) it.
+    fn lend(&mut self, slot: u32) -> Box<Island> {
+        std::mem::take(&mut self.slots[slot as usize])
+    }
+
+    fn give_back(&mut self, slot: u32, island: Box<Island>) {
+        if island.members.is_empty() {
+            self.vacant.push(slot);
+            return;
+        }
+        self.slots[slot as usize] = island;
+        self.announce(slot);
+    }
+
+    /// A slot for a new island.
+    fn settle(&mut self, island: Box<Island>) {
+        let slot = self.vacant.pop().unwrap_or_else(|| {
+            self.slots.push(Box::default());
+            self.slots.len() as u32 - 1
+        });
+        for member in &island.members {
+            self.house(member.id, slot);
+        }
+        self.give_back(slot, island);
+    }
+
+    fn house(&mut self, id: u32, slot: u32) {
+        let needed = id as usize + 1;
+        if self.places.len() < needed {
+            self.places.resize(needed, NOWHERE);
+        }
+        self.places[id as usize] = slot;
+    }
+
+    /// A body is in no island any more.
+    fn evict(&mut self, id: u32) {
+        self.places[id as usize] = NOWHERE;
+    }
+
+    /// The island in `slot` has its next step at `t`.
+    fn wake(&mut self, slot: u32, t: SimTime) {
+        self.slots[slot as usize].next = Some(t);
+        self.announce(slot);
+    }
+
+    /// Two islands become one: the one without a world, else the smaller, else that with the higher
+    /// key goes into the other, whose slot is returned.
+    fn merge(&mut self, a: u32, b: u32) -> u32 {
+        let rank = |slot: u32| {
+            let island = &self.slots[slot as usize];
+            let size = island.members.len();
+            (
+                island.world.is_some(),
+                size,
+                std::cmp::Reverse(island.key()),
+            )
+        };
+        let (stays, goes) = if rank(a) > rank(b) { (a, b) } else { (b, a) };
+        let other = self.lend(goes);
+        self.vacant.push(goes);
+        for member in &other.members {
+            self.places[member.id as usize] = stays;
+        }
+        self.slots[stays as usize].absorb(*other);
+        stays
+    }
+}
+
+impl Physics {
+    /// Whether contact can keep a body in an island.
+    fn joins(&self, id: u32) -> bool {
+        id != GROUND
+            && self.motions[id as usize].mobility() != Mobility::Fixed
+            && self.duties[id as usize] & duty::RESPONDS != 0
+    }
+
+    /// Appends the fixed bodies that can be within `bounds`.
+    pub(crate) fn fixed_near(&self, bounds: [DVec3; 2], near: &mut Vec<u32>) {
+        let [least, most] = bounds;
+        near.extend(self.islands.fixed.iter().filter(|id| {
+            let motion = &self.motions[**id as usize];
+            let at = Place {
+                p: motion.p,
+                q: motion.q,
+            };
+            let [low, high] = self.form(**id).bounds(at);
+            low.cmple(most).all() && high.cmpge(least).all()
+        }));
+    }
+
+    pub(crate) fn form(&self, id: u32) -> &Form {
+        &self.islands.traits[id as usize].form
+    }
+
+    /// `a` and `b` touch lastingly from `t` on; either may be fixed, or [`GROUND`]. Their contact is seen
+    /// to with a step at `t`, or, if they join an island that is under way, from its next step on: until
+    /// then both keep their segments.
+    pub(crate) fn join(&mut self, a: u32, b: u32, t: SimTime) {
+        let free = |id: u32| self.joins(id) && self.motions[id as usize].inverse_mass > 0.0;
+        if !free(a) && !free(b) {
+            return;
+        }
+        let islands = &mut self.islands;
+        let who = [a, b].map(|id| (id, islands.slot(id)));
+        let joins = [self.joins(a), self.joins(b)];
+        let islands = &mut self.islands;
+        let slot = match (who, joins) {
+            ([(_, Some(a)), (_, Some(b))], _) if a != b => islands.merge(a, b),
+            ([(_, Some(slot)), (other, None)], [_, joins])
+            | ([(other, None), (_, Some(slot))], [joins, _]) => {
+                if joins {
+                    islands.slots[slot as usize].enlist(other);
+                    islands.house(other, slot);
+                }
+                slot
+            }
+            ([(_, Some(slot)), _], _) => slot,
+            _ => {
+                let mut island = Box::new(Island::default());
+                for (id, joins) in [a, b].into_iter().zip(joins) {
+                    if joins {
+                        island.enlist(id);
+                    }
+                }
+                island.next = Some(t);
+                islands.settle(island);
+                return;
+            }
+        };
+        let next = islands.slots[slot as usize].next.unwrap_or(t);
+        islands.wake(slot, next);
+    }
+
+    /// A member's segment may have been changed by somebody else at `t`: wakes its island, if that
+    /// matters, and cuts its step short, if it has to be.
+    pub(crate) fn member_changed(&mut self, id: u32, t: SimTime) {
+        let Some(slot) = self.islands.slot(id) else {
+            return;
+        };
+        let motion = &self.motions[id as usize];
+        let island = &mut self.islands.slots[slot as usize];
+        let Some(place) = island.position(id) else {
+            return;
+        };
+        let member = &mut island.members[place];
+        let Some(led) = &mut member.led else {
+            return;
+        };
+        if led.motion.stamp == motion.stamp {
+            return;
+        }
+        if island.next.is_none() {
+            if same(&led.motion, motion) {
+                led.motion.stamp = motion.stamp;
+            } else {
+                self.islands.wake(slot, t);
+            }
+        } else if member.body.is_some() && astray(led, motion, t) > ASTRAY_M {
+            island.cut = true;
+            self.islands.wake(slot, t);
+        }
+    }
+
+    /// One step of the island known by `key`, at `t`, when it is due. Appends what has been touched, and
+    /// who follows a new segment, or is in no island any more.
+    pub(crate) fn step_island(
+        &mut self,
+        key: u32,
+        t: SimTime,
+        contacts: &mut Vec<Contact>,
+        changed: &mut Vec<u32>,
+    ) {
+        if !self.islands.due(key, t) {
+            return;
+        }
+        let Some(slot) = self.islands.slot(key) else {
+            return;
+        };
+        let mut island = self.islands.lend(slot);
+        let first = changed.len();
+        for id in self.let_go(&mut island, t) {
+            self.islands.evict(id);
+            changed.push(id);
+        }
+        for sleepers in self.settled(&mut island, t) {
+            changed.extend(sleepers.members.iter().map(|member| member.id));
+            self.islands.settle(Box::new(sleepers));
+        }
+        if !island.members.is_empty() {
+            self.advance_island(&mut island, t, contacts, changed);
+        }
+        changed[first..].sort_unstable();
+        self.islands.give_back(slot, island);
+    }
+}
+
+/// Whether two segments of a body at rest say the same.
+fn same(a: &Motion, b: &Motion) -> bool {
+    (a.p, a.q, a.v, a.w, a.a, a.torque) == (b.p, b.q, b.v, b.w, b.a, b.torque)
+}
+
+/// How far a changed segment leads from the one written until that ends, m.
+fn astray(led: &Led, motion: &Motion, t: SimTime) -> f64 {
+    let end = led.span[1];
+    let rest_s = seconds_between(t, end).max(0.0);
+    let turn = (motion.rate(t) - led.motion.rate(t)).length() * rest_s;
+    motion.position(end).distance(led.motion.position(end)) + turn * motion.radius_m()
+}
+
+#[cfg(test)]
+mod tests;

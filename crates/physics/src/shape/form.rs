@@ -1,0 +1,408 @@
+//! A shape made ready for queries.
+
+use super::collider::collider;
+use super::convex::Convex;
+use super::hull::hull;
+use super::piece::Piece;
+use super::soup::{Bounds, Soup, Source, turned};
+use super::{Part, Shape};
+use crate::error::BodyError;
+use glam::{DQuat, DVec3};
+use parry3d_f64::math::Pose as ParryPose;
+use parry3d_f64::shape::SharedShape;
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+/// Where a body stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Its origin, ENU, m.
+    pub(crate) p: DVec3,
+    /// `world_from_body`.
+    pub(crate) q: DQuat,
+}
+
+/// What lies between two forms.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gap {
+    /// Least distance, m; where they overlap, the depth, negative.
+    pub(crate) distance: f64,
+    /// From the first to the second, unit, ENU: the normal of a plane between them.
+    pub(crate) normal: DVec3,
+    /// The point of the first that is nearest to the second, ENU, m.
+    pub(crate) here: DVec3,
+    /// The point of the second that is nearest to the first, ENU, m.
+    pub(crate) there: DVec3,
+}
+
+impl Gap {
+    /// The same, seen from the second.
+    pub(crate) fn flipped(self) -> Self {
+        Self {
+            distance: self.distance,
+            normal: -self.normal,
+            here: self.there,
+            there: self.here,
+        }
+    }
+}
+
+/// What a form consists of.
+#[derive(Debug)]
+pub(crate) enum Solid {
+    /// All below the body's xy plane.
+    Plane,
+    /// One convex piece.
+    One(Piece),
+    /// Several; the gap to them is that to the nearest.
+    Many(Soup),
+}
+
+/// A shape made ready for queries: made once, shared by all bodies of that shape.
+pub(crate) struct Form {
+    solid: Solid,
+    radius: f64,
+    shape: Shape,
+    free: bool,
+    collider: OnceLock<(SharedShape, ParryPose)>,
+}
+
+impl fmt::Debug for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Form").field(&self.shape).finish()
+    }
+}
+
+/// The one piece of a simple shape; none for a shape of many, or a plane.
+fn piece(shape: &Shape, free: bool, place: Place) -> Result<Option<Piece>, BodyError> {
+    let solid = |points: &[DVec3]| {
+        hull(points)
+            .map(|hull| Convex::Hull(Arc::new(hull)))
+            .ok_or(BodyError::Flat {
+                shape: shape.name(),
+            })
+    };
+    let (core, margin) = match shape {
+        Shape::Sphere { radius_m } => (Convex::Point, *radius_m),
+        Shape::Box { half_m } => (Convex::Block { half: *half_m }, 0.0),
+        Shape::Cylinder {
+            radius_m: radius,
+            half_height_m: half,
+        } => {
+            let (radius, half) = (*radius, *half);
+            (Convex::Cylinder { radius, half }, 0.0)
+        }
+        Shape::Cone {
+            radius_m: radius,
+            half_height_m: half,
+        } => {
+            let (radius, half) = (*radius, *half);
+            (Convex::Cone { radius, half }, 0.0)
+        }
+        Shape::Capsule {
+            radius_m,
+            half_height_m: half,
+        } => (Convex::Segment { half: *half }, *radius_m),
+        Shape::Hull(hull) => (solid(&hull.points_m)?, 0.0),
+        Shape::Mesh(mesh) if free => (solid(&mesh.points_m)?, 0.0),
+        _ => return Ok(None),
+    };
+    Ok(Some(Piece::new(core, margin, place)))
+}
+
+/// Appends the pieces of all parts.
+fn pieces(
+    parts: &[Part],
+    at: Place,
+    free: bool,
+    found: &mut Vec<Piece>,
+) -> Result<(), BodyError> {
+    for part in parts {
+        let place = at.then(part.place());
+        let mut triangle = |corners: [DVec3; 3]| {
+            let corners = corners.map(|corner| place.p + place.q * corner);
+            found.push(Piece::triangle(corners));
+        };
+        match &part.shape {
+            Shape::Compound(parts) => pieces(parts, place, free, found)?,
+            Shape::Mesh(mesh) if !free => {
+                for corners in &mesh.triangles {
+                    triangle(mesh.corners(*corners));
+                }
+            }
+            Shape::HeightField(field) => field.cells().flatten().for_each(triangle),
+            shape => found.extend(piece(shape, free, place)?),
+        }
+    }
+    Ok(())
+}
+
+impl Form {
+    /// The form of a checked shape. `free`: it belongs to a body that moves freely, so that a mesh
+    /// counts as its convex hull.
+    pub(crate) fn new(shape: &Shape, free: bool) -> Result<Self, BodyError> {
+        let solid = match shape {
+            Shape::Plane => Solid::Plane,
+            Shape::Mesh(mesh) if !free => Solid::Many(Soup::new(Source::Mesh(mesh.clone()))),
+            Shape::HeightField(field) => Solid::Many(Soup::new(Source::Field(field.clone()))),
+            Shape::Compound(parts) => {
+                let mut found = Vec::new();
+                pieces(parts, Place::IDENTITY, free, &mut found)?;
+                match <[Piece; 1]>::try_from(found) {
+                    Ok([one]) => Solid::One(one),
+                    Err(several) => Solid::Many(Soup::new(Source::Pieces(several))),
+                }
+            }
+            shape => match piece(shape, free, Place::IDENTITY)? {
+                Some(one) => Solid::One(one),
+                None => Solid::Plane,
+            },
+        };
+        Ok(Self {
+            solid,
+            radius: shape.bounding_radius_m(),
+            shape: shape.clone(),
+            free,
+            collider: OnceLock::new(),
+        })
+    }
+
+    /// The radius, of a ball about the origin.
+    #[inline]
+    pub(crate) fn ball(&self) -> Option<f64> {
+        match &self.solid {
+            Solid::One(piece) => piece.ball(),
+            _ => None,
+        }
+    }
+
+    /// Radius of the bounding ball about the origin, m.
+    #[inline]
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// What it consists of.
+    #[inline]
+    pub(crate) fn solid(&self) -> &Solid {
+        &self.solid
+    }
+
+    /// A box along the world's axes that holds the form: least and greatest corner, ENU, m. The least
+    /// such box, of a convex form.
+    pub(crate) fn bounds(&self, at: Place) -> Bounds {
+        match &self.solid {
+            Solid::Plane => [DVec3::NEG_INFINITY, DVec3::INFINITY],
+            Solid::One(piece) => piece.bounds(at),
+            Solid::Many(soup) => turned(at, soup.bounds()),
+        }
+    }
+
+    /// What lies between this form and another.
+    pub(crate) fn gap(&self, at: Place, other: &Self, other_at: Place) -> Gap {
+        match (&self.solid, &other.solid) {
+            (Solid::One(here), Solid::One(there)) => here.gap(at, there, other_at),
+            (_, Solid::One(there)) => self.gap_to_piece(at, there, other_at),
+            (_, Solid::Plane) => self.gap_to_plane(at, other_at.p, other_at.q * DVec3::Z),
+            (Solid::Plane, _) => other
+                .gap_to_plane(other_at, at.p, at.q * DVec3::Z)
+                .flipped(),
+            (_, Solid::Many(soup)) => {
+                let bounds = self.bounds(other_at.of(at));
+                let gap = |there: &Piece| self.gap_to_piece(at, there, other_at).flipped();
+                let least = soup.least(bounds, gap);
+                least.map_or_else(|| nothing(at, other_at), Gap::flipped)
+            }
+        }
+    }
+
+    /// What lies between this form and one piece of another.
+    fn gap_to_piece(&self, at: Place, there: &Piece, there_at: Place) -> Gap {
+        match &self.solid {
+            Solid::Plane => there
+                .gap_to_plane(there_at, at.p, at.q * DVec3::Z)
+                .flipped(),
+            Solid::One(here) => here.gap(at, there, there_at),
+            Solid::Many(soup) => {
+                let bounds = there.bounds(at.of(there_at));
+                let gap = |here: &Piece| here.gap(at, there, there_at);
+                soup.least(bounds, gap)
+                    .unwrap_or_else(|| nothing(at, there_at))
+            }
+        }
+    }
+
+    /// What lies between this form and all below a plane through `foot` with the unit normal `up`.
+    pub(crate) fn gap_to_plane(&self, at: Place, foot: DVec3, up: DVec3) -> Gap {
+        match &self.solid {
+            Solid::Plane => nothing(at, Place { p: foot, ..at }),
+            Solid::One(piece) => piece.gap_to_plane(at, foot, up),
+            Solid::Many(soup) => {
+                let mut least: Option<Gap> = None;
+                soup.each(&mut |piece| {
+                    let gap = piece.gap_to_plane(at, foot, up);
+                    if least.is_none_or(|least| gap.distance < least.distance) {
+                        least = Some(gap);
+                    }
+                });
+                least.unwrap_or_else(|| nothing(at, Place { p: foot, ..at }))
+            }
+        }
+    }
+
+    /// What lies between this form and the ground, the plane at up = 0.
+    #[inline]
+    pub(crate) fn gap_to_ground(&self, at: Place) -> Gap {
+        self.gap_to_plane(at, DVec3::ZERO, DVec3::Z)
+    }
+
+    /// Where a ray of unit direction first meets the form within `max_m`: distance, and the surface's
+    /// outward normal, ENU. A ray that begins inside meets it at once, head on.
+    pub(crate) fn cast_ray(
+        &self,
+        at: Place,
+        from: DVec3,
+        direction: DVec3,
+        max_m: f64,
+    ) -> Option<(f64, DVec3)> {
+        let hit = match &self.solid {
+            Solid::Plane => {
+                let up = at.q * DVec3::Z;
+                let height = (from - at.p).dot(up);
+                let sink = -direction.dot(up);
+                if height <= 0.0 {
+                    Some((0.0, -direction))
+                } else {
+                    (sink > 0.0).then(|| (height / sink, up))
+                }
+            }
+            Solid::One(piece) => piece.cast_ray(at, from, direction),
+            Solid::Many(soup) => {
+                let back = at.q.conjugate();
+                soup.cast_ray(back * (from - at.p), back * direction, max_m)
+                    .map(|(distance, normal)| (distance, at.q * normal))
+            }
+        };
+        hit.filter(|(distance, _)| *distance <= max_m)
+    }
+
+    /// Where `other`, moved from `other_at` along a unit direction, first meets this form within `max_m`:
+    /// the distance, and the gap at that place.
+    pub(crate) fn cast_form(
+        &self,
+        at: Place,
+        other: &Self,
+        other_at: Place,
+        direction: DVec3,
+        max_m: f64,
+    ) -> Option<(f64, Gap)> {
+        let mut way = 0.0;
+        for _ in 0..200 {
+            let p = other_at.p + direction * way;
+            let gap = self.gap(at, other, Place { p, ..other_at });
+            let closing = -direction.dot(gap.normal);
+            if gap.distance <= 1e-9 {
+                return Some((way, gap));
+            }
+            if closing <= 0.0 {
+                return None;
+            }
+            way += gap.distance / closing;
+            if way > max_m {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// The collider for rapier, and its pose in the body; made at the first call.
+    pub(crate) fn shared(&self) -> (&SharedShape, ParryPose) {
+        let (shape, pose) = self
+            .collider
+            .get_or_init(|| collider(&self.shape, self.free));
+        (shape, *pose)
+    }
+}
+
+/// The gap between forms of which one has no points.
+fn nothing(at: Place, other_at: Place) -> Gap {
+    Gap {
+        distance: f64::INFINITY,
+        normal: DVec3::Z,
+        here: at.p,
+        there: other_at.p,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Form, Place};
+    use crate::shape::{Hull, Part, Shape};
+    use glam::{DQuat, DVec3};
+    use simbeeotic_kernel::Stream;
+    use simbeeotic_units::Attitude;
+    use std::sync::Arc;
+
+    fn turn(stream: &mut Stream) -> DQuat {
+        crate::rotation::turn_by(stream.in_ball(3.0))
+    }
+
+    /// One of the convex shapes, of a size about 1 m.
+    fn convex(stream: &mut Stream) -> Shape {
+        let mut size = || 0.1 + stream.uniform();
+        let (radius_m, half_height_m) = (size(), size());
+        let half_m = DVec3::new(size(), size(), size());
+        match stream.below(6) {
+            0 => Shape::Sphere { radius_m },
+            1 => Shape::Box { half_m },
+            2 => Shape::Cylinder {
+                radius_m,
+                half_height_m,
+            },
+            3 => Shape::Cone {
+                radius_m,
+                half_height_m,
+            },
+            4 => Shape::Capsule {
+                radius_m,
+                half_height_m,
+            },
+            _ => Shape::Hull(Arc::new(Hull {
+                points_m: (0..12).map(|_| stream.in_ball(1.0)).collect(),
+            })),
+        }
+    }
+
+    #[test]
+    fn probe_gjk() {
+        let mut stream = Stream::new(1, "forms", "test");
+        let mut worst = [[0.0_f64; 3]; 12];
+        let mut over = [0; 12];
+        for _ in 0..200_000 {
+            let (a, b) = (convex(&mut stream), convex(&mut stream));
+            let (fa, fb) = (Form::new(&a, true).unwrap(), Form::new(&b, true).unwrap());
+            let at = Place { p: stream.in_ball(1.0), q: turn(&mut stream) };
+            let dir = stream.unit_vector();
+            let qb = turn(&mut stream);
+            let far = Place { p: at.p + dir * 5.0, q: qb };
+            let Some((way, _)) = fa.cast_form(at, &fb, far, -dir, 10.0) else { continue };
+            // at several distances from touch
+            for k in 0..12 {
+                let eps = if k < 10 { 10f64.powi(-(k as i32)) } else { -10f64.powi(-(k as i32 - 4)) };
+                let there = Place { p: far.p - dir * (way - eps), q: qb };
+                let g = fa.gap(at, &fb, there);
+                // lower bound from supports
+                let (super::Solid::One(pa), super::Solid::One(pb)) = (fa.solid(), fb.solid()) else { continue };
+                let sa = at.p + pa.support(at.q, g.normal) + g.normal * pa.margin();
+                let sb = there.p + pb.support(there.q, -g.normal) - g.normal * pb.margin();
+                let low = (sb - sa).dot(g.normal);
+                let e = (g.distance - low).abs();
+                if e > worst[k][0] { worst[k][0] = e; if e > 1e-4 { println!("{k} {a:?} {b:?} d {} low {low} ", g.distance); } }
+                worst[k][1] = worst[k][1].max(g.distance);
+                worst[k][2] = worst[k][2].min(g.distance);
+                if e > 1e-6 { over[k] += 1; }
+            }
+        }
+        for k in 0..12 { println!("{k}: {:?} {}", worst[k], over[k]); }
+    }
+}

@@ -1,0 +1,442 @@
+//! One step of an island: who leaves, who comes to rest, and where the others go.
+
+use crate::body::{BodyId, Mobility, group};
+use crate::contact::Contact;
+use crate::island::{REACH_M, Role, Surface, Sweep, Touch, World};
+use crate::islands::{Island, Led, Member};
+use crate::limits::NEWS_SPEED_M_S;
+use crate::motion::{Motion, seconds_between};
+use crate::physics::{Physics, duty};
+use crate::queue::GROUND;
+use crate::rotation;
+use crate::shape::form::Place;
+use glam::DVec3;
+use simbeeotic_kernel::SimTime;
+
+/// A member that has touched nothing for so many steps leaves.
+const ALONE_STEPS: u32 = 4;
+/// A member that has been still for so long rests, s.
+const STILL_S: f64 = 0.5;
+/// Still is what moves slower than this, m/s,
+const STILL_SPEED_M_S: f64 = 1e-3;
+/// and turns slower than this, rad/s.
+const STILL_RATE_RAD_S: f64 = 1e-2;
+/// A member at rest that its world has moved farther than this, m and rad, moves again.
+const STIR: f64 = 1e-3;
+/// Fixed bodies are looked for this far around a member, m,
+const SCOPE_M: f64 = 0.5;
+/// and as far as it gets in this time, s.
+const SCOPE_S: f64 = 0.25;
+/// A place that differs by less is the same, m and rad: rounding.
+const SAME: f64 = 1e-9;
+
+/// Whether two places differ by more than rounding.
+fn displaced(a: Place, b: Place) -> bool {
+    let rounding = SAME + 1e-15 * a.p.abs().max_element();
+    a.p.distance(b.p) > rounding || rotation::turn_between(a.q, b.q).length() > SAME
+}
+
+fn place(motion: &Motion, t: SimTime) -> Place {
+    Place {
+        p: motion.position(t),
+        q: motion.attitude(t),
+    }
+}
+
+/// Whether a driven body stands.
+fn stands(motion: &Motion) -> bool {
+    motion.v == DVec3::ZERO && motion.w == DVec3::ZERO
+}
+
+fn driven(motion: &Motion) -> bool {
+    motion.mobility() == Mobility::Driven
+}
+
+impl Physics {
+    /// Lets members go that touch nothing any more; tells whom. An island that nothing free is left in
+    /// lets all go.
+    pub(crate) fn let_go(&mut self, island: &mut Island, t: SimTime) -> Vec<u32> {
+        let motions = &mut self.motions;
+        let deserted = island
+            .members
+            .iter()
+            .all(|member| driven(&motions[member.id as usize]) || member.alone >= ALONE_STEPS);
+        let mut gone = Vec::new();
+        let world = &mut island.world;
+        island.members.retain(|member| {
+            if !deserted && member.alone < ALONE_STEPS {
+                return true;
+            }
+            let motion = &mut motions[member.id as usize];
+            if !driven(motion) {
+                let sweep = member.sweep(motion, t);
+                motion.release(t, sweep.v, sweep.w);
+                motion.stamp = motion.stamp.wrapping_add(1);
+            }
+            if let (Some(world), Some(body)) = (world.as_mut(), member.body) {
+                world.remove(body);
+            }
+            gone.push(member.id);
+            false
+        });
+        if !gone.is_empty() {
+            let stays = |id: u32| gone.binary_search(&id).is_err();
+            island.touches.retain(|(a, b)| stays(*a) && stays(*b));
+        }
+        gone
+    }
+
+    /// Takes groups out of an island that touch one another and all rest: islands of their own, asleep.
+    pub(crate) fn settled(&mut self, island: &mut Island, t: SimTime) -> Vec<Island> {
+        if !std::mem::take(&mut island.settling) || island.cut {
+            return Vec::new();
+        }
+        let mut groups = Groups::new(island.members.len());
+        for &(a, b) in &island.touches {
+            if let (Some(a), Some(b)) = (island.position(a), island.position(b)) {
+                groups.unite(a, b);
+            }
+        }
+        let resting = |member: &Member| {
+            let motion = &self.motions[member.id as usize];
+            member.resting && (driven(motion) || !member.changed(motion))
+        };
+        let mut rests = vec![true; island.members.len()];
+        for (place, member) in island.members.iter().enumerate() {
+            rests[groups.root(place)] &= resting(member);
+        }
+        let mut sleepers = std::collections::BTreeMap::<usize, Island>::new();
+        let members = std::mem::take(&mut island.members);
+        for (place, mut member) in members.into_iter().enumerate() {
+            let root = groups.root(place);
+            if !rests[root] {
+                island.members.push(member);
+                continue;
+            }
+            if let (Some(world), Some(body)) = (&mut island.world, member.body) {
+                world.remove(body);
+            }
+            member.detach();
+            member.led = Some(Led {
+                motion: self.motions[member.id as usize],
+                span: [t; 2],
+                sweeps: [Sweep::default(); 2],
+            });
+            sleepers.entry(root).or_default().members.push(member);
+        }
+        if !sleepers.is_empty() {
+            let island = &mut *island;
+            let awake = |id: u32| island.members.binary_search_by_key(&id, |m| m.id).is_ok();
+            island.touches.retain(|(a, b)| awake(*a) || awake(*b));
+        }
+        sleepers.into_values().collect()
+    }
+
+    /// Steps an island from `t` on.
+    pub(crate) fn advance_island(
+        &mut self,
+        island: &mut Island,
+        t: SimTime,
+        contacts: &mut Vec<Contact>,
+        changed: &mut Vec<u32>,
+    ) {
+        let end = t.saturating_add_nanos(self.islands.step_ns);
+        let dt_s = seconds_between(t, end);
+        let mut world = self.world_of(island);
+        let before = self.take_in(island, &mut world, t);
+        self.take_fixed_in(island, &mut world);
+        for member in &island.members {
+            let motion = &self.motions[member.id as usize];
+            if let (true, Some(body)) = (driven(motion), member.body) {
+                world.drive(body, place(motion, end));
+            }
+        }
+        world.step(dt_s);
+
+        let mut touches = Vec::new();
+        world.touches(&mut touches);
+        report(island, &before, &touches, t, contacts);
+        for (member, before) in island.members.iter_mut().zip(&before) {
+            let motion = &mut self.motions[member.id as usize];
+            let led = Step {
+                world: &world,
+                span: [t, end],
+                dt_s,
+                before: *before,
+            }
+            .lead(member, motion);
+            if led {
+                changed.push(member.id);
+            }
+            island.settling |= member.resting;
+        }
+        island.world = Some(world);
+        island.cut = false;
+        island.next = Some(end);
+    }
+
+    /// The world of an island: a new one, if it has none, or has come far from its origin.
+    fn world_of(&self, island: &mut Island) -> Box<World> {
+        let motions = &self.motions;
+        let far = |world: &World| {
+            island
+                .members
+                .iter()
+                .any(|member| member.at.p.distance(world.origin()) > REACH_M)
+        };
+        match island.world.take() {
+            Some(world) if !far(&world) => world,
+            _ => {
+                island.detach();
+                let first = &motions[island.key() as usize];
+                let mut world = Box::new(World::new(
+                    first.p.round(),
+                    self.islands.solver_iterations,
+                    self.islands.step_ns as f64 / 1e9,
+                ));
+                if let Some(material) = self.ground {
+                    world.add_ground(material, group::TERRAIN);
+                }
+                world
+            }
+        }
+    }
+
+    /// Brings the world up to what has been changed from outside, newcomers included. Tells how each
+    /// member moves.
+    fn take_in(&self, island: &mut Island, world: &mut World, t: SimTime) -> Vec<Sweep> {
+        let cut = island.cut;
+        let mut sweeps = Vec::with_capacity(island.members.len());
+        for member in &mut island.members {
+            let motion = &self.motions[member.id as usize];
+            let sweep = member.sweep(motion, t);
+            sweeps.push(sweep);
+            let at = place(motion, t);
+            let Some(body) = member.body else {
+                let role = self.role(member.id);
+                let surface = self.surface(member.id);
+                let body = world.add(&surface, self.form(member.id), role, at, sweep);
+                push(world, body, motion, at);
+                (member.body, member.at) = (Some(body), at);
+                continue;
+            };
+            let changed = member.changed(motion);
+            if driven(motion) {
+                if displaced(member.at, at) {
+                    world.set_place(body, at);
+                    member.at = at;
+                }
+                continue;
+            }
+            if cut || changed {
+                if cut || displaced(member.at, at) {
+                    world.set_place(body, at);
+                    member.at = at;
+                }
+                world.set_sweep(body, sweep);
+            }
+            if changed {
+                member.still_s = 0.0;
+                member.resting = false;
+            }
+            if changed || motion.torque != [0.0; 3] {
+                push(world, body, motion, at);
+            }
+        }
+        sweeps
+    }
+
+    /// Puts in fixed bodies that members have come near to.
+    fn take_fixed_in(&self, island: &mut Island, world: &mut World) {
+        let mut near = Vec::new();
+        for member in &mut island.members {
+            let motion = &self.motions[member.id as usize];
+            let radius = DVec3::splat(motion.radius_m());
+            let [least, most] = member.scope;
+            let inside = (member.at.p - radius).cmpge(least).all()
+                && (member.at.p + radius).cmple(most).all();
+            if inside || driven(motion) {
+                continue;
+            }
+            let around = radius + SCOPE_M + SCOPE_S * motion.v.length();
+            member.scope = [member.at.p - around, member.at.p + around];
+            self.fixed_near(member.scope, &mut near);
+        }
+        near.sort_unstable();
+        near.dedup();
+        for id in near {
+            let responds = self.duties[id as usize] & duty::RESPONDS != 0;
+            if let (true, Err(index)) = (responds, island.fixed.binary_search(&id)) {
+                island.fixed.insert(index, id);
+                let at = place(&self.motions[id as usize], SimTime::ZERO);
+                world.add_fixed(&self.surface(id), self.form(id), at);
+            }
+        }
+    }
+
+    fn surface(&self, id: u32) -> Surface {
+        Surface {
+            id,
+            material: self.materials[id as usize],
+            groups: self.filters[id as usize].groups(),
+        }
+    }
+
+    fn role(&self, id: u32) -> Role {
+        let motion = &self.motions[id as usize];
+        if driven(motion) {
+            return Role::Driven;
+        }
+        Role::Free {
+            mass: motion.mass_kg(),
+            inertia: motion.inertia_kg_m2(),
+            upright: self.form(id).ball().is_some() && !self.islands.traits[id as usize].rolls,
+        }
+    }
+}
+
+/// Lets the wrench of a body's segment act on it in its world.
+fn push(
+    world: &mut World,
+    body: rapier3d_f64::dynamics::RigidBodyHandle,
+    motion: &Motion,
+    at: Place,
+) {
+    world.set_wrench(body, motion.a * motion.mass_kg(), at.q * motion.torque());
+}
+
+/// A step that a world has made.
+struct Step<'a> {
+    world: &'a World,
+    span: [SimTime; 2],
+    dt_s: f64,
+    before: Sweep,
+}
+
+impl Step<'_> {
+    /// Lets a member's segment follow the step; tells whether that is a new one.
+    fn lead(&self, member: &mut Member, motion: &mut Motion) -> bool {
+        let Some(body) = member.body else {
+            return false;
+        };
+        let [t, _] = self.span;
+        if driven(motion) {
+            member.at = self.world.place(body);
+            self.age(member, stands(motion));
+            member.resting = member.still_s >= STILL_S;
+            self.note(member, motion, self.before);
+            return false;
+        }
+        let from = std::mem::replace(&mut member.at, self.world.place(body));
+        let still = member.at.p.distance(from.p) < STILL_SPEED_M_S * self.dt_s
+            && rotation::turn_between(from.q, member.at.q).length() < STILL_RATE_RAD_S * self.dt_s;
+        self.age(member, still);
+
+        let here = place(motion, t);
+        let way = member.at.p - here.p;
+        let turn = rotation::turn_between(here.q, member.at.q);
+        if member.resting && (way.length() > STIR || turn.length() > STIR) {
+            member.still_s = 0.0;
+        }
+        let rests = member.still_s >= STILL_S;
+        let led = !(member.resting && rests);
+        if led {
+            if rests {
+                motion.lead(t, DVec3::ZERO, DVec3::ZERO);
+            } else {
+                motion.lead(t, way / self.dt_s, turn / self.dt_s);
+            }
+            motion.stamp = motion.stamp.wrapping_add(1);
+        }
+        member.resting = rests;
+        self.note(member, motion, self.world.sweep(body));
+        led
+    }
+
+    fn age(&self, member: &mut Member, still: bool) {
+        member.still_s = if still {
+            member.still_s + self.dt_s
+        } else {
+            0.0
+        };
+    }
+
+    fn note(&self, member: &mut Member, motion: &Motion, after: Sweep) {
+        member.led = Some(Led {
+            motion: *motion,
+            span: self.span,
+            sweeps: [self.before, after],
+        });
+    }
+}
+
+/// Reports touches that begin in a step from `t` on, and keeps in mind which there are.
+fn report(
+    island: &mut Island,
+    sweeps: &[Sweep],
+    touches: &[Touch],
+    t: SimTime,
+    contacts: &mut Vec<Contact>,
+) {
+    for member in &mut island.members {
+        member.alone += 1;
+    }
+    for touch in touches {
+        let (a, b) = touch.pair;
+        let speed = |id: u32| {
+            island.position(id).map_or(DVec3::ZERO, |place| {
+                let (member, sweep) = (&island.members[place], sweeps[place]);
+                sweep.v + sweep.w.cross(touch.point - member.at.p)
+            })
+        };
+        let relative_velocity = speed(a) - speed(b);
+        let begins = island.touches.binary_search(&touch.pair).is_err();
+        if begins && relative_velocity.dot(touch.normal) > NEWS_SPEED_M_S {
+            contacts.push(Contact {
+                time: t,
+                a: BodyId(a),
+                b: (b != GROUND).then_some(BodyId(b)),
+                point_enu: touch.point,
+                normal_enu: touch.normal,
+                relative_velocity_enu: relative_velocity,
+                impulse_enu: touch.impulse,
+            });
+        }
+        for id in [a, b] {
+            if let Some(place) = island.position(id) {
+                island.members[place].alone = 0;
+            }
+        }
+    }
+    island.touches.clear();
+    island
+        .touches
+        .extend(touches.iter().map(|touch| touch.pair));
+}
+
+/// Members that hang together: a forest of places.
+struct Groups {
+    parents: Vec<usize>,
+}
+
+impl Groups {
+    fn new(count: usize) -> Self {
+        Self {
+            parents: (0..count).collect(),
+        }
+    }
+
+    fn root(&mut self, mut place: usize) -> usize {
+        while self.parents[place] != place {
+            self.parents[place] = self.parents[self.parents[place]];
+            place = self.parents[place];
+        }
+        place
+    }
+
+    /// The lower root stays.
+    fn unite(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parents[a.max(b)] = a.min(b);
+    }
+}

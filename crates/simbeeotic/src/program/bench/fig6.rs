@@ -1,0 +1,329 @@
+//! Figure 6: 32 bees, and ever more obstacles. The paper does not say what they are and where they
+//! stand; its cost grows linearly with their number.
+//!
+//! Here they are boxes, one in each cell of a lattice, turned and shifted at random, those next to the
+//! bees' start first. `--reach in` puts this field around the start: the first thousands stand where
+//! the bees fly, the rest behind. `--reach out` puts the same field to the east of wherever the bees
+//! can come in the time they have: whoever is not met must not cost anything, nor change a bit of the
+//! run.
+
+use super::workload::{self, Cost, MAX_SPEED_M_S, PAPER_EDGE_M, SEED, Workload};
+use super::{Common, Failure, arguments, input, remark, table};
+use clap::Args;
+use serde::Serialize;
+use simbeeotic_kernel::rng::Stream;
+use simbeeotic_model::world::{Obstacle, ObstacleShape, World};
+use simbeeotic_units::glam::DVec3;
+use simbeeotic_units::{Angle, Length, Position};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Bees of the experiment, as in the paper.
+const BEES: u32 = 32;
+
+/// Arguments of `bench fig6`.
+#[derive(Args)]
+pub(in crate::program) struct Options {
+    /// Numbers of obstacles; none is always among them
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "0,10,100,1000,10000,100000",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    obstacles: Vec<u32>,
+    /// Where they stand: out (farther than the bees can fly) or in (where they fly)
+    #[arg(long, default_value = "out", value_parser = ["out", "in"])]
+    reach: String,
+    /// Distance from obstacle to obstacle: each has a cube of this edge to itself
+    #[arg(
+        long,
+        default_value = "4 m",
+        value_name = "LENGTH",
+        allow_hyphen_values = true
+    )]
+    spacing: String,
+    /// Virtual time of each run; the default is the paper's
+    #[arg(
+        long,
+        default_value = "100 s",
+        value_name = "TIME",
+        allow_hyphen_values = true
+    )]
+    duration: String,
+    /// Threads that run models
+    #[arg(long, default_value_t = 1, value_parser = arguments::threads, allow_negative_numbers = true)]
+    threads: usize,
+    #[command(flatten)]
+    common: Common,
+}
+
+/// More obstacles than this take longer to make than anybody waits.
+const OBSTACLES_MAX: u32 = 10_000_000;
+
+fn number(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(n) if n <= OBSTACLES_MAX => Ok(n),
+        _ => Err(format!("obstacles number between 0 and {OBSTACLES_MAX}")),
+    }
+}
+
+/// One row of the table.
+#[derive(Serialize)]
+struct Row {
+    obstacles: u32,
+    reach: String,
+    threads: usize,
+    #[serde(flatten)]
+    cost: Cost,
+    /// Physics' time over that without obstacles.
+    physics_ratio: f64,
+}
+
+pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
+    let common = &options.common;
+    let duration = input::time("--duration", &options.duration)?;
+    let spacing = spacing_m(&options.spacing)?;
+    let out = options.reach == "out";
+    if !common.json {
+        remark(format!(
+            "figure 6: {BEES} bees, {} s virtual, boxes {spacing} m apart {}, {} timers",
+            duration.secs(),
+            if out { "out of reach" } else { "in the way" },
+            common.phase,
+        ));
+    }
+
+    let workload = Workload {
+        bees: BEES,
+        duration: &options.duration,
+        edge_m: PAPER_EDGE_M,
+        phase: &common.phase,
+        contacts: true,
+    };
+    let loaded = workload.load()?;
+    let starts = input::setup(&loaded)?.models;
+    let starts: Vec<DVec3> = starts
+        .iter()
+        .map(|model| model.start.position.si())
+        .collect();
+    let mut numbers = options.obstacles.clone();
+    numbers.push(0);
+    numbers.sort_unstable();
+    numbers.dedup();
+    let reach_m = PAPER_EDGE_M + MAX_SPEED_M_S * duration.secs();
+    let worlds: Vec<Arc<World>> = numbers
+        .iter()
+        .map(|&n| {
+            let east_m = if out {
+                reach_m + field_m(n, &starts, spacing)
+            } else {
+                0.0
+            };
+            Arc::new(world(n, spacing, east_m, &starts))
+        })
+        .collect();
+
+    workload::run(&loaded, options.threads, None)?; // to warm up
+    let costs = table::rounds(worlds.len(), common.repeat, |case| {
+        workload::run(&loaded, options.threads, Some(&worlds[case]))
+    })?;
+    let empty = costs[0].clone();
+    let rows: Vec<Row> = (numbers.iter().zip(costs))
+        .map(|(&obstacles, cost)| Row {
+            obstacles,
+            reach: options.reach.clone(),
+            threads: options.threads,
+            physics_ratio: cost.physics_s / empty.physics_s,
+            cost,
+        })
+        .collect();
+
+    if let Some(row) = rows
+        .iter()
+        .find(|row| out && row.cost.trace_hash != empty.trace_hash)
+    {
+        return Err(Failure::run(format!(
+            "{} obstacles that nobody can reach change the run: trace hash {}, {} without",
+            row.obstacles, row.cost.trace_hash, empty.trace_hash
+        )));
+    }
+    if common.json {
+        return table::json(&rows);
+    }
+    print(&rows)?;
+    table::method(common.repeat);
+    if out {
+        remark("the run is the same with any number of obstacles: equal trace hashes");
+    }
+    Ok(())
+}
+
+fn print(rows: &[Row]) -> Result<(), Failure> {
+    let head = ["obstacles"].into_iter().chain(table::SHARES);
+    table::line(head.chain(["touches", "ratio"]))?;
+    for row in rows {
+        let mut columns = vec![row.obstacles.to_string()];
+        columns.extend(table::shares(&row.cost));
+        columns.push(row.cost.touches.to_string());
+        columns.push(format!("{:.2}x", row.physics_ratio));
+        table::line(columns.iter().map(String::as_str))?;
+    }
+    Ok(())
+}
+
+fn spacing_m(text: &str) -> Result<f64, Failure> {
+    match text.parse::<Length>() {
+        Ok(spacing) if (0.1..=1000.0).contains(&spacing.get()) => Ok(spacing.get()),
+        Ok(spacing) => Err(Failure::input(format!(
+            "--spacing {spacing}: it lies between 0.1 m and 1000 m"
+        ))),
+        Err(e) => Err(Failure::input(format!("--spacing: {e}"))),
+    }
+}
+
+/// Cells along each edge of a field of `n` obstacles, with room for those that a start displaces.
+fn cells(n: u32, starts: &[DVec3]) -> u32 {
+    let mut edge = 1;
+    let needed = u64::from(n) + 8 * starts.len() as u64;
+    while u64::from(edge).pow(3) < needed {
+        edge += 1;
+    }
+    edge
+}
+
+/// From the middle of a field of `n` obstacles to beyond its end, along `x`, m.
+fn field_m(n: u32, starts: &[DVec3], spacing: f64) -> f64 {
+    f64::from(cells(n, starts)) * spacing
+}
+
+/// A world with `n` boxes around the middle of the bees' start, or so far to the east of it; none
+/// holds a start.
+fn world(n: u32, spacing: f64, east_m: f64, starts: &[DVec3]) -> World {
+    let middle = DVec3::splat(0.5 * PAPER_EDGE_M);
+    let edge = cells(n, starts);
+    let low = middle.with_z(0.0) - 0.5 * spacing * DVec3::new(edge.into(), edge.into(), 0.0);
+    let mut centres = Vec::new();
+    for z in 0..edge {
+        for y in 0..edge {
+            for x in 0..edge {
+                let cell = DVec3::new(x.into(), y.into(), z.into());
+                centres.push(low + spacing * (cell + 0.5));
+            }
+        }
+    }
+    // A stable sort: cells at one distance keep the lattice's order.
+    centres.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|centre| centre.distance_squared(middle));
+        a.total_cmp(&b)
+    });
+
+    let mut chance = Stream::new(SEED, "obstacles", "field");
+    let mut obstacles = Vec::with_capacity(n as usize);
+    for centre in centres {
+        if obstacles.len() == n as usize {
+            break;
+        }
+        // Half the diagonal is at most 0.33 spacings; shifted by 0.17, it still stays in its cell.
+        let mut edge = || spacing * chance.uniform_in(0.125..0.375);
+        let size = [edge(), edge(), edge()];
+        let mut shift = || spacing * chance.uniform_in(-0.17..0.17);
+        let centre = centre + DVec3::new(shift(), shift(), shift());
+        let rotation = Angle::si(chance.uniform_in(0.0..TAU));
+        let room = 0.5 * DVec3::from_array(size).length() + 0.1;
+        if east_m == 0.0 && starts.iter().any(|start| start.distance(centre) < room) {
+            continue;
+        }
+        let [length, width, height] = size.map(Length::si);
+        let foot = centre + DVec3::new(east_m, 0.0, -0.5 * size[2]);
+        obstacles.push(Obstacle {
+            position: Position::from_si(foot),
+            shape: ObstacleShape::Box {
+                length,
+                width,
+                height,
+                rotation,
+            },
+            ..Obstacle::default()
+        });
+    }
+    let needed = 2.0 * (east_m + f64::from(cells(n, starts)) * spacing);
+    World {
+        radius: Length::si(needed.max(10_000.0)),
+        obstacles,
+        ..World::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STARTS: [DVec3; 3] = [
+        DVec3::new(10.0, 10.0, 10.0),
+        DVec3::new(1.0, 12.0, 0.5),
+        DVec3::new(19.0, 3.0, 19.0),
+    ];
+
+    /// The edges of a box.
+    fn size(obstacle: &Obstacle) -> DVec3 {
+        match obstacle.shape {
+            ObstacleShape::Box {
+                length,
+                width,
+                height,
+                ..
+            } => DVec3::new(length.get(), width.get(), height.get()),
+            _ => panic!("the field is of boxes"),
+        }
+    }
+
+    fn middle(obstacle: &Obstacle) -> DVec3 {
+        obstacle.position.si() + DVec3::new(0.0, 0.0, 0.5 * size(obstacle).z)
+    }
+
+    fn half_diagonal(obstacle: &Obstacle) -> f64 {
+        0.5 * size(obstacle).length()
+    }
+
+    #[test]
+    fn a_field_has_its_number_and_holds_no_start() {
+        for n in [0, 1, 10, 100, 3_000] {
+            let world = world(n, 1.0, 0.0, &STARTS);
+            assert_eq!(world.obstacles.len(), n as usize);
+            assert!(world.check().is_empty());
+            for obstacle in &world.obstacles {
+                assert!(obstacle.position.si().z >= 0.0);
+                for start in STARTS {
+                    let distance = middle(obstacle).distance(start);
+                    assert!(distance >= half_diagonal(obstacle) + 0.1);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_do_not_overlap() {
+        let world = world(200, 4.0, 0.0, &STARTS);
+        for (i, a) in world.obstacles.iter().enumerate() {
+            for b in &world.obstacles[..i] {
+                let distance = middle(a).distance(middle(b));
+                assert!(distance > half_diagonal(a) + half_diagonal(b));
+            }
+        }
+    }
+
+    #[test]
+    fn a_field_out_of_reach_begins_where_the_reach_ends() {
+        let reach = 220.0;
+        for n in [1, 1_000] {
+            let east = reach + field_m(n, &STARTS, 4.0);
+            let world = world(n, 4.0, east, &STARTS);
+            assert_eq!(world.obstacles.len(), n as usize);
+            for obstacle in &world.obstacles {
+                assert!(middle(obstacle).x - half_diagonal(obstacle) > reach);
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! The workload of the paper's section 5.1, and what one run of it costs: a random walk in steps of
+//! 0.1 s, a compass read once a second, no radio.
+
+use super::{Failure, input, process};
+use serde::Serialize;
+use simbeeotic_model::world::World;
+use simbeeotic_model::{Setup, Simulation};
+use simbeeotic_scenario::{Loaded, Request, load_text};
+use std::sync::Arc;
+
+/// Edge of the cube that the paper's bees start in, m.
+pub(super) const PAPER_EDGE_M: f64 = 20.0;
+
+/// The bees' greatest speed, m/s.
+pub(super) const MAX_SPEED_M_S: f64 = 2.0;
+
+/// Master seed of all runs.
+pub(super) const SEED: u64 = 111_982;
+
+/// A swarm at the paper's work.
+pub(super) struct Workload<'a> {
+    pub(super) bees: u32,
+    /// Virtual time, with its unit.
+    pub(super) duration: &'a str,
+    /// They start in a cube with this edge and one corner in the origin, m.
+    pub(super) edge_m: f64,
+    /// `aligned` or `random`.
+    pub(super) phase: &'a str,
+    pub(super) contacts: bool,
+}
+
+impl Workload<'_> {
+    /// As a checked scenario.
+    pub(super) fn load(&self) -> Result<Loaded, Failure> {
+        let Self {
+            bees,
+            duration,
+            edge_m: edge,
+            phase,
+            contacts,
+        } = self;
+        let mode = if *contacts { "respond" } else { "none" };
+        let text = format!(
+            r#"
+[run]
+seed = {SEED}
+end_time = "{duration}"
+
+[[model]]
+use = "instrument-bee"
+name = "bee"
+count = {bees}
+start = {{ box = ["{edge} m", "{edge} m", "{edge} m"] }}
+
+[model.params]
+max_speed = "{MAX_SPEED_M_S} m/s"
+phase = "{phase}"
+
+[model.vehicle]
+use = "simple-bee"
+phase = "{phase}"
+contacts = "{mode}"
+bee_collisions = {contacts}
+
+[model.sensor.compass]
+use = "compass"
+"#
+        );
+        load_text("bench", &text, &Request::default())
+            .map_err(|rejected| Failure::run(input::text_of(&rejected)))
+    }
+}
+
+/// What a run costs. Seconds are wall time, unless they are the processor's.
+#[derive(Clone, Serialize)]
+pub(super) struct Cost {
+    pub(super) events_s: f64,
+    pub(super) physics_s: f64,
+    pub(super) radio_s: f64,
+    pub(super) other_s: f64,
+    pub(super) wall_s: f64,
+    /// Virtual seconds in a second of wall time.
+    pub(super) speed: f64,
+    /// Processor time of all threads, in user and in system mode.
+    pub(super) cpu_s: Option<f64>,
+    pub(super) virtual_s: f64,
+    pub(super) events: u64,
+    pub(super) touches: u64,
+    pub(super) trace_hash: String,
+}
+
+impl Cost {
+    /// The least of each figure of the two.
+    pub(super) fn least(&mut self, other: &Self) {
+        let keep = |mine: &mut f64, theirs: f64| *mine = mine.min(theirs);
+        keep(&mut self.events_s, other.events_s);
+        keep(&mut self.physics_s, other.physics_s);
+        keep(&mut self.radio_s, other.radio_s);
+        keep(&mut self.other_s, other.other_s);
+        keep(&mut self.wall_s, other.wall_s);
+        self.speed = self.speed.max(other.speed);
+        if let (Some(mine), Some(theirs)) = (&mut self.cpu_s, other.cpu_s) {
+            keep(mine, theirs);
+        }
+    }
+}
+
+/// Runs a scenario once, with `world` in place of its own if there is one.
+pub(super) fn run(
+    loaded: &Loaded,
+    threads: usize,
+    world: Option<&Arc<World>>,
+) -> Result<Cost, Failure> {
+    let setup = input::setup(loaded)?;
+    let world = world.map_or_else(|| Arc::clone(&setup.world), Arc::clone);
+    let setup = Setup {
+        threads,
+        world,
+        ..setup
+    };
+    let mut simulation = Simulation::new(setup).map_err(|e| input::setup_failure(loaded, e))?;
+    let begun = process::cpu_s();
+    let outcome = simulation.run();
+    let cpu_s = process::cpu_s().zip(begun).map(|(now, begun)| now - begun);
+    if let Some(error) = outcome.error {
+        return Err(Failure::run(error));
+    }
+    let summary = outcome.summary;
+    Ok(Cost {
+        events_s: summary.time.events_s,
+        physics_s: summary.time.physics_s,
+        radio_s: summary.time.radio_s,
+        other_s: summary.time.other_s,
+        wall_s: summary.wall_s,
+        speed: summary.speed,
+        cpu_s,
+        virtual_s: summary.virtual_s,
+        events: summary.events,
+        touches: summary.touches,
+        trace_hash: summary.trace_hash,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cost(wall_s: f64, cpu_s: Option<f64>) -> Cost {
+        Cost {
+            events_s: 1.0,
+            physics_s: 3.0 - wall_s,
+            radio_s: 0.0,
+            other_s: 0.0,
+            wall_s,
+            speed: 10.0 / wall_s,
+            cpu_s,
+            virtual_s: 10.0,
+            events: 7,
+            touches: 0,
+            trace_hash: "a".to_owned(),
+        }
+    }
+
+    #[test]
+    fn the_least_is_taken_figure_by_figure() {
+        let mut least = cost(2.0, Some(1.5));
+        least.least(&cost(1.0, Some(1.75)));
+        assert_eq!((least.wall_s, least.physics_s), (1.0, 1.0));
+        assert_eq!((least.cpu_s, least.speed), (Some(1.5), 10.0));
+    }
+}
