@@ -54,6 +54,7 @@ pub struct Accounts([f64; Consumer::ALL.len()]);
 
 impl Accounts {
     /// Books `charge` on `consumer`.
+    #[inline]
     pub fn draw(&mut self, consumer: Consumer, charge: Charge) {
         self.0[consumer as usize] += charge.get();
     }

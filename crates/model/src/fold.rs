@@ -1,6 +1,6 @@
 //! What happens, as words for the trace.
 
-use simbeeotic_kernel::{Committing, SimTime};
+use simbeeotic_kernel::Committing;
 use simbeeotic_physics::Motion;
 use simbeeotic_radio::Command;
 use simbeeotic_units::glam::DVec3;
@@ -28,16 +28,9 @@ pub(crate) fn command(command: &Command) -> u64 {
     }
 }
 
-/// A motion as it is at `now`: where the body is, how it moves, what pushes it, how it points and
-/// turns.
-pub(crate) fn motion(motion: &Motion, now: SimTime) -> u64 {
-    let state = motion.at(now);
-    let (p, v, a) = (state.p_enu, state.v_enu, state.a_enu);
-    let (q, w, torque) = (state.world_from_body, state.w_flu, motion.torque());
-    floats([
-        p.x, p.y, p.z, v.x, v.y, v.z, a.x, a.y, a.z, q.w, q.x, q.y, q.z, w.x, w.y, w.z, torque.x,
-        torque.y, torque.z,
-    ])
+/// A motion: where the body is, how it moves, what pushes it, how it points and turns, and since when.
+pub(crate) fn motion(motion: &Motion) -> u64 {
+    floats(motion.numbers()) ^ motion.start().nanos()
 }
 
 /// A vector.
@@ -47,7 +40,7 @@ pub(crate) fn vector(v: DVec3) -> u64 {
 
 /// Floats as one word: the sum of their bits, each times an odd number of its own.
 ///
-/// A float that differs always shows. The products do not wait for each other as folds do: 19 floats
+/// A float that differs always shows. The products do not wait for each other as folds do: 20 floats
 /// take 8 ns instead of 30.
 #[inline]
 fn floats<const N: usize>(floats: [f64; N]) -> u64 {

@@ -85,8 +85,8 @@ pub mod prelude {
         Rate, Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
-        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor,
-        Thing, TimerHandle, Touch, Truth,
+        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor, Thing,
+        TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

@@ -324,17 +324,24 @@ impl<B: Behavior<H>, H: Host> ModelFactory for BehaviorFactory<B, H> {
     }
 }
 
-struct MakeVehicle<V: Vehicle>(Recipe<V::Params>);
+struct MakeVehicle<V: Vehicle> {
+    params: Arc<V::Params>,
+    node: Node,
+}
 
 fn make_vehicle<V: Vehicle>(node: &Node) -> Result<Arc<dyn VehicleFactory>, Vec<Fault>> {
-    Ok(Arc::new(MakeVehicle::<V>(Recipe::read(node)?)))
+    let Recipe { params, node } = Recipe::read(node)?;
+    Ok(Arc::new(MakeVehicle::<V> {
+        params: Arc::new(params),
+        node,
+    }))
 }
 
 impl<V: Vehicle> VehicleFactory for MakeVehicle<V> {
     fn build(&self, kit: &VehicleKit<'_>) -> Result<Box<dyn AnyVehicle>, BuildError> {
-        match V::build(self.0.params.clone(), kit) {
+        match V::build(Arc::clone(&self.params), kit) {
             Ok(vehicle) => Ok(Box::new(Carried::new(vehicle))),
-            Err(error) => Err(BuildError::Placed(self.0.place(error))),
+            Err(error) => Err(BuildError::Placed(place(&self.node, error))),
         }
     }
 }

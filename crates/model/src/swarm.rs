@@ -421,7 +421,7 @@ impl Domain for Swarm {
             self.deliver(&mut **model, event, &mut cx);
         }
         if let Some(own) = own {
-            out.fold(fold::motion(&own.motion, visit.now));
+            out.fold(fold::motion(&own.motion));
             if own.jumped {
                 out.effect(Effect::Jump);
             }
@@ -432,10 +432,7 @@ impl Domain for Swarm {
     /// A word of each cache line that a wake-up is going to need, as far as they are known here.
     fn warm(&self, id: ModelId, agent: &Agent) -> u64 {
         let Agent { model, core } = agent;
-        let body = self.body_of(id).map_or(0, |body| {
-            let motion = self.physics.motion(body);
-            motion.start().nanos() ^ motion.mobility() as u64 ^ motion.torque().x.to_bits()
-        });
+        let body = self.body_of(id).map_or(0, |body| self.physics.touch(body));
         core.timers.touch() ^ core.accounts.touch() ^ body ^ model.touch()
     }
 

@@ -15,6 +15,7 @@ use crate::host::Platform;
 use simbeeotic_kernel::Stream;
 use simbeeotic_physics::BodySpec;
 use simbeeotic_units::{Angle, Flu, Position, Time, Velocity};
+use std::sync::Arc;
 
 /// What a behaviour asks of its vehicle; it holds until it is changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,11 +40,12 @@ pub trait Vehicle: Sized + Send + 'static {
     /// What the scenario may set.
     type Params: Params;
 
-    /// Makes one.
+    /// Makes one. The parameters are those of all vehicles of one section of the scenario: one that
+    /// keeps the `Arc` instead of a copy is small, and 100,000 of them are woken faster.
     ///
     /// # Errors
     /// Parameters out of range, by [`BuildError::parameter`].
-    fn build(params: Self::Params, kit: &VehicleKit<'_>) -> Result<Self, BuildError>;
+    fn build(params: Arc<Self::Params>, kit: &VehicleKit<'_>) -> Result<Self, BuildError>;
 
     /// The body it flies with; the pose is filled in from the scenario's start.
     fn body(&self) -> BodySpec;

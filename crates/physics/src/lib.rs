@@ -85,6 +85,7 @@ mod shape;
 mod statics;
 mod stepping;
 mod support;
+mod touch;
 mod tree;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};

@@ -9,10 +9,10 @@ use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
+use crate::shape::Shape;
 use crate::shape::form::{Form, Place};
 use crate::statics::Statics;
 use crate::tree::Bounds;
-use crate::shape::Shape;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -98,8 +98,7 @@ pub(crate) struct Filter {
 impl Filter {
     fn new(spec: &BodySpec) -> Self {
         // Others do not collide yet.
-        let none =
-            spec.contacts == Contacts::None || !matches!(spec.shape, Shape::Sphere { .. });
+        let none = spec.contacts == Contacts::None || !matches!(spec.shape, Shape::Sphere { .. });
         Self {
             group: spec.group,
             mask: spec.mask,

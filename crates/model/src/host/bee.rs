@@ -69,6 +69,7 @@ pub struct Bee<'a> {
 
 impl Bee<'_> {
     /// Turns about the body's up axis, counter-clockwise seen from above.
+    #[inline]
     pub fn turn(&mut self, angle: Angle) {
         self.vehicle.turn(angle, &mut self.platform);
     }
@@ -81,6 +82,7 @@ impl Bee<'_> {
     /// Flies at `velocity`, in the body frame, from the next control step on.
     ///
     /// A velocity that is not finite ends the run with an error that names this model.
+    #[inline]
     pub fn fly(&mut self, velocity: Velocity<Flu>) {
         if velocity.si().is_finite() {
             self.setpoint.velocity = velocity;
@@ -92,6 +94,7 @@ impl Bee<'_> {
 
     /// The velocity that was asked for last, in the body frame. What is really flown is
     /// [`Entity::velocity`](super::Entity::velocity).
+    #[inline]
     pub fn velocity_setpoint(&self) -> Velocity<Flu> {
         self.setpoint.velocity
     }

@@ -26,6 +26,7 @@ pub struct Cx<'a> {
 
 impl Cx<'_> {
     /// The same context for a shorter time.
+    #[inline]
     pub fn reborrow(&mut self) -> Cx<'_> {
         let Self {
             now,
@@ -44,6 +45,7 @@ impl Cx<'_> {
     }
 
     /// The present instant.
+    #[inline]
     pub fn now(&self) -> SimTime {
         self.now
     }
@@ -59,16 +61,19 @@ impl Cx<'_> {
     }
 
     /// This model's own random stream.
+    #[inline]
     pub fn rng(&mut self) -> &mut Stream {
         &mut self.core.rng
     }
 
     /// A draw from `[0, 1)` of this model's own stream.
+    #[inline]
     pub fn uniform(&mut self) -> f64 {
         self.core.rng.uniform()
     }
 
     /// A draw from N(0, 1) of this model's own stream.
+    #[inline]
     pub fn gauss(&mut self) -> f64 {
         self.core.rng.normal()
     }

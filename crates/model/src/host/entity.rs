@@ -29,11 +29,13 @@ pub struct Entity<'a> {
 }
 
 impl<'a> Entity<'a> {
+    #[inline]
     pub(crate) fn new(cx: Cx<'a>) -> Self {
         let body = cx.core.body.unwrap_or(BodyId(u32::MAX));
         Self { cx, body }
     }
 
+    #[inline]
     fn motion(&self) -> &Motion {
         match &*self.cx.own {
             Some(own) => &own.motion,
@@ -42,6 +44,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Changes the own motion; others see it when the instant ends.
+    #[inline]
     fn change(&mut self, change: impl FnOnce(&mut Motion, SimTime) -> Result<(), BodyError>) {
         let now = self.cx.now;
         let own = match &mut *self.cx.own {
@@ -65,11 +68,13 @@ impl<'a> Entity<'a> {
     }
 
     /// Where the body's centre of mass is.
+    #[inline]
     pub fn position(&self) -> Position {
         Position::from_si(self.motion().position(self.cx.now))
     }
 
     /// How the body points: world_from_body.
+    #[inline]
     pub fn attitude(&self) -> Attitude {
         Attitude::from_unit_quat(self.motion().attitude(self.cx.now))
     }
@@ -80,6 +85,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Velocity in the world frame.
+    #[inline]
     pub fn velocity(&self) -> Velocity<Enu> {
         Velocity::from_si(self.motion().velocity(self.cx.now))
     }
@@ -90,6 +96,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Angular rate in the body frame.
+    #[inline]
     pub fn rate(&self) -> Rate<Flu> {
         Rate::from_si(self.motion().rate(self.cx.now))
     }
@@ -120,6 +127,7 @@ impl<'a> Entity<'a> {
 
     /// Sets the sum of all forces but gravity, world frame. They act at the centre of mass, and keep
     /// their direction in the world until they are set again.
+    #[inline]
     pub fn set_force(&mut self, force: ForceVec<Enu>) {
         self.change(|motion, now| motion.set_force(now, force.si()));
     }
@@ -212,6 +220,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Sets the angular rate, body frame.
+    #[inline]
     pub fn set_rate(&mut self, rate: Rate<Flu>) {
         self.change(|motion, now| motion.set_rate(now, rate.si()));
     }
@@ -223,6 +232,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Sets how the body points.
+    #[inline]
     pub fn set_attitude(&mut self, attitude: Attitude) {
         self.change(|motion, now| motion.set_attitude(now, attitude));
     }
@@ -247,6 +257,7 @@ impl<'a> Entity<'a> {
     }
 
     /// Acceleration of free fall; positive is downwards.
+    #[inline]
     pub fn gravity(&self) -> Acceleration {
         self.cx.swarm.gravity()
     }

@@ -35,6 +35,7 @@ pub struct Platform<'a> {
 }
 
 impl<'a> Platform<'a> {
+    #[inline]
     pub(crate) fn new(cx: Cx<'a>, gear: &'a mut Gear) -> Self {
         Self {
             entity: Entity::new(cx),
@@ -139,6 +140,7 @@ impl<'a> Platform<'a> {
     }
 
     /// Books `charge` on `consumer`.
+    #[inline]
     pub fn draw(&mut self, consumer: Consumer, charge: Charge) {
         self.entity.core.accounts.draw(consumer, charge);
     }

@@ -1,6 +1,6 @@
 //! Figure 11 of the paper: a load for measuring the simulator.
 
-use super::walk;
+use super::walk::Walk;
 use crate::phase::Phase;
 use simbeeotic_model::check::{at_least_zero, positive};
 use simbeeotic_model::units::{Angle, Heading, Speed, Time};
@@ -16,7 +16,7 @@ use simbeeotic_model::{Bee, Behavior, BuildError, Handle, Kit, RadioHandle, beha
     java = "harvard.robobees.simbeeotic.example.InstrumentBee"
 )]
 pub struct InstrumentBee {
-    params: InstrumentBeeParams,
+    walk: Walk,
     compass: Option<Handle<Heading>>,
     radio: Option<RadioHandle>,
 }
@@ -74,16 +74,20 @@ impl Behavior for InstrumentBee {
         if radio.is_some() {
             kit.every_from(talk, params.radio_period, Self::talk);
         }
+        let walk = Walk {
+            heading_sigma: params.heading_sigma,
+            velocity_sigma: params.velocity_sigma,
+            max_speed: params.max_speed,
+        };
         Ok(Self {
-            params,
+            walk,
             compass,
             radio,
         })
     }
 
     fn on_control(&mut self, bee: &mut Bee<'_>) {
-        let p = &self.params;
-        walk::step(bee, p.heading_sigma, p.velocity_sigma, p.max_speed);
+        self.walk.step(bee);
     }
 }
 

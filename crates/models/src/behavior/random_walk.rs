@@ -1,6 +1,6 @@
 //! A bee on a random walk.
 
-use super::walk;
+use super::walk::Walk;
 use simbeeotic_model::check::at_least_zero;
 use simbeeotic_model::units::{Angle, Speed};
 use simbeeotic_model::{Bee, Behavior, BuildError, Kit, behavior, params};
@@ -12,7 +12,7 @@ use simbeeotic_model::{Bee, Behavior, BuildError, Kit, behavior, params};
     java = "harvard.robobees.simbeeotic.example.RandomWalkBee"
 )]
 pub struct RandomWalkBee {
-    params: RandomWalkBeeParams,
+    walk: Walk,
 }
 
 /// Parameters of [`RandomWalkBee`].
@@ -43,12 +43,16 @@ impl Behavior for RandomWalkBee {
         at_least_zero("max_speed", params.max_speed)?;
         at_least_zero("velocity_sigma", params.velocity_sigma)?;
         at_least_zero("heading_sigma", params.heading_sigma)?;
-        Ok(Self { params })
+        let walk = Walk {
+            heading_sigma: params.heading_sigma,
+            velocity_sigma: params.velocity_sigma,
+            max_speed: params.max_speed,
+        };
+        Ok(Self { walk })
     }
 
     fn on_control(&mut self, bee: &mut Bee<'_>) {
-        let p = &self.params;
-        walk::step(bee, p.heading_sigma, p.velocity_sigma, p.max_speed);
+        self.walk.step(bee);
     }
 }
 

@@ -3,21 +3,29 @@
 use simbeeotic_model::Bee;
 use simbeeotic_model::units::{Angle, Speed, Velocity};
 
-/// One step of the paper's random walk: a random turn, a random change of the velocity forward and
-/// up, and a cap on the speed.
-pub(super) fn step(
-    bee: &mut Bee<'_>,
-    heading_sigma: Angle,
-    velocity_sigma: Speed,
-    max_speed: Speed,
-) {
-    let turn = heading_sigma * bee.gauss();
-    bee.turn(turn);
+/// The numbers of a walk.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Walk {
+    /// Standard deviation of each turn.
+    pub(super) heading_sigma: Angle,
+    /// Standard deviation of each change of the velocity, forward and up.
+    pub(super) velocity_sigma: Speed,
+    /// Top speed.
+    pub(super) max_speed: Speed,
+}
 
-    let change = Velocity::new(
-        velocity_sigma * bee.gauss(),
-        Speed::ZERO,
-        velocity_sigma * bee.gauss(),
-    );
-    bee.fly((bee.velocity_setpoint() + change).limit(max_speed));
+impl Walk {
+    /// One step of the paper's random walk: a random turn, a random change of the velocity forward
+    /// and up, and a cap on the speed.
+    pub(super) fn step(&self, bee: &mut Bee<'_>) {
+        let turn = self.heading_sigma * bee.gauss();
+        bee.turn(turn);
+
+        let change = Velocity::new(
+            self.velocity_sigma * bee.gauss(),
+            Speed::ZERO,
+            self.velocity_sigma * bee.gauss(),
+        );
+        bee.fly((bee.velocity_setpoint() + change).limit(self.max_speed));
+    }
 }

@@ -30,12 +30,13 @@ use simbeeotic_model::{
 
 use super::outline::{Outline, depth_m};
 use crate::phase::Phase;
+use std::sync::Arc;
 
 /// A body that turns at once and follows velocity set points with a lag: cheap enough for a hundred
 /// thousand. It is a sphere, or what `shape` says.
 #[vehicle("simple-bee")]
 pub struct SimpleBee {
-    params: SimpleBeeParams,
+    params: Arc<SimpleBeeParams>,
     first_control: Time,
     errors: Stream,
     /// Since when the current force has been drawing charge.
@@ -199,7 +200,7 @@ fn body(p: &SimpleBeeParams) -> BodySpec {
 impl Vehicle for SimpleBee {
     type Params = SimpleBeeParams;
 
-    fn build(params: SimpleBeeParams, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
+    fn build(params: Arc<SimpleBeeParams>, kit: &VehicleKit<'_>) -> Result<Self, BuildError> {
         check(&params)?;
         let clock = kit.stream(Phase::PURPOSE);
         Ok(Self {
@@ -233,18 +234,28 @@ impl Vehicle for SimpleBee {
         } else {
             ForceVec::ZERO
         };
-        let effort = if !setpoint.hovering && setpoint.velocity == Velocity::ZERO {
+        let asked = if !setpoint.hovering && setpoint.velocity == Velocity::ZERO {
             Accel::<Enu>::ZERO // it lets itself fall
         } else {
             let wanted = platform
                 .attitude()
                 .rotate(self.with_errors(setpoint.velocity));
             let lag = (wanted - platform.velocity()) / self.params.response_time;
-            let wind = wind / mass;
-            (lag - wind).limit(self.params.max_acceleration)
+            if self.params.use_wind {
+                lag - wind / mass
+            } else {
+                lag
+            }
         };
 
-        self.effort_m_s2 = effort.si().length();
+        // Half of all steps are above the cap: no branch that is guessed wrong then.
+        let (most, size) = (self.params.max_acceleration, asked.length());
+        let effort = if size.is_finite() {
+            asked * (most / size).min(1.0)
+        } else {
+            asked.limit(most)
+        };
+        self.effort_m_s2 = size.min(most).metres_per_second_squared();
         self.hovering = setpoint.hovering;
         let weight = if setpoint.hovering {
             mass * platform.gravity()
@@ -356,11 +367,11 @@ mod tests {
 
     fn inaccurate(direction_sigma: Angle, speed_sigma: f64) -> SimpleBee {
         SimpleBee {
-            params: SimpleBeeParams {
+            params: Arc::new(SimpleBeeParams {
                 direction_sigma,
                 speed_sigma,
                 ..SimpleBeeParams::default()
-            },
+            }),
             first_control: Time::ZERO,
             errors: Stream::new(1, "bee", "actuation"),
             since: SimTime::ZERO,
