@@ -25,12 +25,11 @@
 
 use crate::body::{BodySpec, Mobility};
 use crate::contact::Contact;
-use crate::error::BodyError;
 use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
-use crate::shape::form::{Form, Place};
+use crate::shape::form::Place;
 use glam::DVec3;
 use rapier3d_f64::dynamics::RigidBodyHandle;
 use simbeeotic_kernel::SimTime;
@@ -186,28 +185,11 @@ impl Island {
     }
 }
 
-/// What an island has to know of a body, besides what `Physics` keeps.
-pub(crate) struct Trait {
-    pub(crate) form: Form,
-    /// A ball that rolls.
-    pub(crate) rolls: bool,
-}
-
-impl std::fmt::Debug for Trait {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Trait")
-            .field("rolls", &self.rolls)
-            .finish_non_exhaustive()
-    }
-}
-
 /// All islands.
 #[derive(Debug)]
 pub(crate) struct Islands {
-    /// Of each body.
-    pub(crate) traits: Vec<Trait>,
-    /// The fixed ones.
-    pub(crate) fixed: Vec<u32>,
+    /// Of each body: whether, as a ball, it rolls.
+    pub(crate) rolls: Vec<bool>,
     slots: Vec<Box<Island>>,
     vacant: Vec<u32>,
     /// The slot of each body's island.
@@ -221,8 +203,7 @@ impl Islands {
     /// No island yet.
     pub(crate) fn new(step_ns: u64, solver_iterations: usize) -> Self {
         Self {
-            traits: Vec::new(),
-            fixed: Vec::new(),
+            rolls: Vec::new(),
             slots: Vec::new(),
             vacant: Vec::new(),
             places: Vec::new(),
@@ -233,16 +214,8 @@ impl Islands {
     }
 
     /// Takes notice of a new body.
-    pub(crate) fn add(&mut self, spec: &BodySpec) -> Result<(), BodyError> {
-        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
-        if spec.mobility == Mobility::Fixed {
-            self.fixed.push(self.traits.len() as u32);
-        }
-        self.traits.push(Trait {
-            form,
-            rolls: spec.rolls,
-        });
-        Ok(())
+    pub(crate) fn add(&mut self, spec: &BodySpec) {
+        self.rolls.push(spec.rolls);
     }
 
     fn slot(&self, id: u32) -> Option<u32> {
@@ -359,24 +332,6 @@ impl Physics {
         id != GROUND
             && self.motions[id as usize].mobility() != Mobility::Fixed
             && self.duties[id as usize] & duty::RESPONDS != 0
-    }
-
-    /// Appends the fixed bodies that can be within `bounds`.
-    pub(crate) fn fixed_near(&self, bounds: [DVec3; 2], near: &mut Vec<u32>) {
-        let [least, most] = bounds;
-        near.extend(self.islands.fixed.iter().filter(|id| {
-            let motion = &self.motions[**id as usize];
-            let at = Place {
-                p: motion.p,
-                q: motion.q,
-            };
-            let [low, high] = self.form(**id).bounds(at);
-            low.cmple(most).all() && high.cmpge(least).all()
-        }));
-    }
-
-    pub(crate) fn form(&self, id: u32) -> &Form {
-        &self.islands.traits[id as usize].form
     }
 
     /// `a` and `b` touch lastingly from `t` on; either may be fixed, or [`GROUND`]. Their contact is seen

@@ -252,7 +252,7 @@ impl Physics {
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
         let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
-        self.islands.add(&spec)?;
+        self.islands.add(&spec);
         let friction = self
             .ground
             .map_or(0.0, |ground| ground.against(&spec.material).friction);

@@ -215,7 +215,7 @@ impl Physics {
             let Some(body) = member.body else {
                 let role = self.role(member.id);
                 let surface = self.surface(member.id);
-                let body = world.add(&surface, self.form(member.id), role, at, sweep);
+                let body = world.add(&surface, &self.forms[member.id as usize], role, at, sweep);
                 push(world, body, motion, at);
                 (member.body, member.at) = (Some(body), at);
                 continue;
@@ -260,7 +260,7 @@ impl Physics {
             }
             let around = radius + SCOPE_M + SCOPE_S * motion.v.length();
             member.scope = [member.at.p - around, member.at.p + around];
-            self.fixed_near(member.scope, &mut near);
+            self.statics.near(member.scope, &mut near);
         }
         near.sort_unstable();
         near.dedup();
@@ -269,7 +269,7 @@ impl Physics {
             if let (true, Err(index)) = (responds, island.fixed.binary_search(&id)) {
                 island.fixed.insert(index, id);
                 let at = place(&self.motions[id as usize], SimTime::ZERO);
-                world.add_fixed(&self.surface(id), self.form(id), at);
+                world.add_fixed(&self.surface(id), &self.forms[id as usize], at);
             }
         }
     }
@@ -290,7 +290,7 @@ impl Physics {
         Role::Free {
             mass: motion.mass_kg(),
             inertia: motion.inertia_kg_m2(),
-            upright: self.form(id).ball().is_some() && !self.islands.traits[id as usize].rolls,
+            upright: self.forms[id as usize].ball().is_some() && !self.islands.rolls[id as usize],
         }
     }
 }

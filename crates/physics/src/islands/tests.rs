@@ -70,7 +70,9 @@ impl Rig {
     }
 
     fn add(&mut self, spec: BodySpec) -> u32 {
-        self.physics.add(spec).expect("a body").0
+        let id = self.physics.add(spec).expect("a body").0;
+        self.physics.classify();
+        id
     }
 
     fn join(&mut self, a: u32, b: u32) {
@@ -482,8 +484,17 @@ fn a_heap_loses_energy_and_comes_to_rest() {
     for tick in 1..=200 {
         rig.run(0.05 * f64::from(tick));
         let now = energy(&rig);
-        eprintln!("{tick} {now} {}", now - last);
+        assert!(now < last + 0.01 * last, "{tick}: {last} {now}");
         last = last.min(now);
+    }
+    for id in ids {
+        eprintln!(
+            "{id} {:?} {} {} {}",
+            rig.physics.shape(BodyId(id)),
+            rig.p(id),
+            rig.v(id),
+            rig.motion(id).rate(rig.now)
+        );
     }
     eprintln!("{} left, steps {}", rig.queue.len(), rig.steps);
 }
@@ -523,4 +534,25 @@ fn what_falls_inside_an_island_is_reported() {
     assert!(contact.closing_speed_m_s() > 1.0);
     assert_eq!(rig.contacts.len(), 1);
     assert!(contact.impulse_enu.z < -2.9 && contact.normal_enu.z > 0.9);
+}
+
+#[test]
+fn a_bouncy_ball_comes_to_rest() {
+    let mut rig = Rig::new();
+    let id = rig.add(BodySpec {
+        v_enu: DVec3::new(0.0, 0.0, -0.04),
+        material: Material {
+            friction: 0.5,
+            restitution: 0.95,
+        },
+        ..ball(0.1, [0.0, 0.0, 0.1])
+    });
+    rig.physics.ground = Some(Material {
+        friction: 0.5,
+        restitution: 0.95,
+    });
+    rig.join(id, GROUND);
+    rig.run(3.0);
+    eprintln!("{} {}", rig.steps, rig.p(id));
+    assert!(rig.asleep());
 }
