@@ -1,6 +1,6 @@
 //! One step of an island: who leaves, who comes to rest, and where the others go.
 
-use crate::body::{BodyId, Mobility, group};
+use crate::body::{BodyId, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::island::{REACH_M, Role, Surface, Sweep, Touch, World};
 use crate::islands::{Island, Led, Member};
@@ -9,7 +9,7 @@ use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
 use crate::rotation;
-use crate::shape::form::Place;
+use crate::shape::form::{Form, Place};
 use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 
@@ -27,6 +27,8 @@ const STIR: f64 = 1e-3;
 const SCOPE_M: f64 = 0.5;
 /// and as far as it gets in this time, s.
 const SCOPE_S: f64 = 0.25;
+/// Radius of the patch on which a ball stands, over that of the ball.
+const PATCH: f64 = 0.01;
 /// A place that differs by less is the same, m and rad: rounding.
 const SAME: f64 = 1e-9;
 
@@ -156,6 +158,7 @@ impl Physics {
         let mut touches = Vec::new();
         world.touches(&mut touches);
         report(island, &before, &touches, t, contacts);
+        self.drill(island, &mut world, &touches);
         for (member, before) in island.members.iter_mut().zip(&before) {
             let motion = &mut self.motions[member.id as usize];
             let led = Step {
@@ -173,6 +176,49 @@ impl Physics {
         island.world = Some(world);
         island.cut = false;
         island.next = Some(end);
+    }
+
+    /// Friction against the spin of a ball about the normal of its contact, which a point would not have:
+    /// that of an evenly loaded patch of radius `a`, a torque of `2/3 mu N a` at most.
+    fn drill(&self, island: &Island, world: &mut World, touches: &[Touch]) {
+        for touch in touches {
+            let (a, b) = touch.pair;
+            for (id, other) in [(a, b), (b, a)] {
+                let ball = self.forms.get(id as usize).and_then(Form::ball);
+                let (Some(place), Some(radius)) = (island.position(id), ball) else {
+                    continue;
+                };
+                let motion = &self.motions[id as usize];
+                let (true, Some(body)) = (
+                    self.islands.rolls[id as usize] && motion.inverse_mass > 0.0,
+                    island.members[place].body,
+                ) else {
+                    continue;
+                };
+                let mut sweep = world.sweep(body);
+                let spin = sweep.w.dot(touch.normal);
+                if spin == 0.0 {
+                    continue;
+                }
+                let friction = self
+                    .material(other)
+                    .against(&self.materials[id as usize])
+                    .friction;
+                let load = touch.impulse.dot(touch.normal).abs();
+                let most = 2.0 / 3.0 * friction * load * PATCH * radius;
+                let slower = most * motion.inverse_inertia().x;
+                sweep.w -= touch.normal * spin.clamp(-slower, slower);
+                world.set_sweep(body, sweep);
+            }
+        }
+    }
+
+    fn material(&self, id: u32) -> Material {
+        if id == GROUND {
+            self.ground.unwrap_or_default()
+        } else {
+            self.materials[id as usize]
+        }
     }
 
     /// The world of an island: a new one, if it has none, or has come far from its origin.
