@@ -23,7 +23,7 @@
 //! [`Islands::due`] says so when it comes. After [`Physics::step_island`] the bodies in `changed` follow
 //! new segments.
 
-use crate::body::{BodySpec, Mobility};
+use crate::body::Mobility;
 use crate::contact::Contact;
 use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
@@ -188,8 +188,6 @@ impl Island {
 /// All islands.
 #[derive(Debug)]
 pub(crate) struct Islands {
-    /// Of each body: whether, as a ball, it rolls.
-    pub(crate) rolls: Vec<bool>,
     slots: Vec<Box<Island>>,
     vacant: Vec<u32>,
     /// The slot of each body's island.
@@ -203,7 +201,6 @@ impl Islands {
     /// No island yet.
     pub(crate) fn new(step_ns: u64, solver_iterations: usize) -> Self {
         Self {
-            rolls: Vec::new(),
             slots: Vec::new(),
             vacant: Vec::new(),
             places: Vec::new(),
@@ -211,11 +208,6 @@ impl Islands {
             step_ns,
             solver_iterations,
         }
-    }
-
-    /// Takes notice of a new body.
-    pub(crate) fn add(&mut self, spec: &BodySpec) {
-        self.rolls.push(spec.rolls);
     }
 
     fn slot(&self, id: u32) -> Option<u32> {

@@ -38,13 +38,6 @@ fn displaced(a: Place, b: Place) -> bool {
     a.p.distance(b.p) > rounding || rotation::turn_between(a.q, b.q).length() > SAME
 }
 
-fn place(motion: &Motion, t: SimTime) -> Place {
-    Place {
-        p: motion.position(t),
-        q: motion.attitude(t),
-    }
-}
-
 /// Whether a driven body stands.
 fn stands(motion: &Motion) -> bool {
     motion.v == DVec3::ZERO && motion.w == DVec3::ZERO
@@ -150,7 +143,7 @@ impl Physics {
         for member in &island.members {
             let motion = &self.motions[member.id as usize];
             if let (true, Some(body)) = (driven(motion), member.body) {
-                world.drive(body, place(motion, end));
+                world.drive(body, motion.place(end));
             }
         }
         world.step(dt_s);
@@ -257,11 +250,11 @@ impl Physics {
             let motion = &self.motions[member.id as usize];
             let sweep = member.sweep(motion, t);
             sweeps.push(sweep);
-            let at = place(motion, t);
+            let at = motion.place(t);
             let Some(body) = member.body else {
                 let role = self.role(member.id);
                 let surface = self.surface(member.id);
-                let body = world.add(&surface, &self.forms[member.id as usize], role, at, sweep);
+                let body = world.add(&surface, self.form(member.id), role, at, sweep);
                 push(world, body, motion, at);
                 (member.body, member.at) = (Some(body), at);
                 continue;
@@ -314,8 +307,8 @@ impl Physics {
             let responds = self.duties[id as usize] & duty::RESPONDS != 0;
             if let (true, Err(index)) = (responds, island.fixed.binary_search(&id)) {
                 island.fixed.insert(index, id);
-                let at = place(&self.motions[id as usize], SimTime::ZERO);
-                world.add_fixed(&self.surface(id), &self.forms[id as usize], at);
+                let at = self.motions[id as usize].place(SimTime::ZERO);
+                world.add_fixed(&self.surface(id), self.form(id), at);
             }
         }
     }
@@ -336,7 +329,7 @@ impl Physics {
         Role::Free {
             mass: motion.mass_kg(),
             inertia: motion.inertia_kg_m2(),
-            upright: self.forms[id as usize].ball().is_some() && !self.islands.rolls[id as usize],
+            upright: self.form(id).ball().is_some() && self.duties[id as usize] & duty::ROLLS == 0,
         }
     }
 }
@@ -378,7 +371,7 @@ impl Step<'_> {
             && rotation::turn_between(from.q, member.at.q).length() < STILL_RATE_RAD_S * self.dt_s;
         self.age(member, still);
 
-        let here = place(motion, t);
+        let here = motion.place(t);
         let way = member.at.p - here.p;
         let turn = rotation::turn_between(here.q, member.at.q);
         if member.resting && (way.length() > STIR || turn.length() > STIR) {
