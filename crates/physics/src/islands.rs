@@ -160,12 +160,6 @@ impl Island {
             .ok()
     }
 
-    fn enlist(&mut self, id: u32) {
-        if let Err(place) = self.members.binary_search_by_key(&id, |member| member.id) {
-            self.members.insert(place, Member::new(id));
-        }
-    }
-
     /// Gives up the world; the next step makes a new one.
     pub(crate) fn detach(&mut self) {
         self.world = None;
@@ -264,8 +258,17 @@ impl Islands {
         self.announce(slot);
     }
 
-    /// A slot for a new island.
-    fn settle(&mut self, island: Box<Island>) {
+    /// The slot of a body's island: a new one, if it is in none.
+    fn slot_of(&mut self, id: u32) -> u32 {
+        self.slot(id).unwrap_or_else(|| {
+            let mut island = Island::default();
+            island.members.push(Member::new(id));
+            self.settle(Box::new(island))
+        })
+    }
+
+    /// Finds a slot for a new island.
+    fn settle(&mut self, island: Box<Island>) -> u32 {
         let slot = self.vacant.pop().unwrap_or_else(|| {
             self.slots.push(Box::default());
             self.slots.len() as u32 - 1
@@ -274,6 +277,7 @@ impl Islands {
             self.house(member.id, slot);
         }
         self.give_back(slot, island);
+        slot
     }
 
     fn house(&mut self, id: u32, slot: u32) {
@@ -334,35 +338,21 @@ impl Physics {
         if !free(a) && !free(b) {
             return;
         }
-        let islands = &mut self.islands;
-        let who = [a, b].map(|id| (id, islands.slot(id)));
-        let joins = [self.joins(a), self.joins(b)];
-        let islands = &mut self.islands;
-        let slot = match (who, joins) {
-            ([(_, Some(a)), (_, Some(b))], _) if a != b => islands.merge(a, b),
-            ([(_, Some(slot)), (other, None)], [_, joins])
-            | ([(other, None), (_, Some(slot))], [joins, _]) => {
-                if joins {
-                    islands.slots[slot as usize].enlist(other);
-                    islands.house(other, slot);
-                }
-                slot
+        let mut common = None;
+        for id in [a, b] {
+            if !self.joins(id) {
+                continue;
             }
-            ([(_, Some(slot)), _], _) => slot,
-            _ => {
-                let mut island = Box::new(Island::default());
-                for (id, joins) in [a, b].into_iter().zip(joins) {
-                    if joins {
-                        island.enlist(id);
-                    }
-                }
-                island.next = Some(t);
-                islands.settle(island);
-                return;
-            }
-        };
-        let next = islands.slots[slot as usize].next.unwrap_or(t);
-        islands.wake(slot, next);
+            let slot = self.islands.slot_of(id);
+            common = match common {
+                Some(other) if other != slot => Some(self.islands.merge(other, slot)),
+                _ => Some(slot),
+            };
+        }
+        if let Some(slot) = common {
+            let next = self.islands.slots[slot as usize].next;
+            self.islands.wake(slot, next.unwrap_or(t));
+        }
     }
 
     /// A member's segment may have been changed by somebody else at `t`: wakes its island, if that
