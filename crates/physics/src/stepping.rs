@@ -9,7 +9,7 @@ use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
 use crate::rotation;
-use crate::shape::form::{Form, Place};
+use crate::shape::form::Place;
 use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 
@@ -177,13 +177,15 @@ impl Physics {
         for touch in touches {
             let (a, b) = touch.pair;
             for (id, other) in [(a, b), (b, a)] {
-                let ball = self.forms.get(id as usize).and_then(Form::ball);
-                let (Some(place), Some(radius)) = (island.position(id), ball) else {
+                let Some(place) = island.position(id) else {
+                    continue;
+                };
+                let Some(radius) = self.form(id).ball() else {
                     continue;
                 };
                 let motion = &self.motions[id as usize];
                 let (true, Some(body)) = (
-                    self.islands.rolls[id as usize] && motion.inverse_mass > 0.0,
+                    self.duties[id as usize] & duty::ROLLS != 0 && motion.inverse_mass > 0.0,
                     island.members[place].body,
                 ) else {
                     continue;
