@@ -41,7 +41,20 @@ struct Touch {
 #[derive(Clone, Copy, Debug)]
 struct Burst {
     last: SimTime,
+    /// Meetings in close succession.
     count: u32,
+    /// Meetings since the two were last apart.
+    lasting: u32,
+}
+
+impl Burst {
+    fn at(last: SimTime) -> Self {
+        Self {
+            last,
+            count: 0,
+            lasting: 0,
+        }
+    }
 }
 
 /// The memory of pairs, almost always almost empty.
@@ -95,18 +108,13 @@ impl Encounters {
             .bursts
             .get(&pair)
             .is_none_or(|burst| t.nanos() - burst.last.nanos() >= LASTING_NS);
-        let burst = self
-            .bursts
-            .entry(pair)
-            .or_insert(Burst { last: t, count: 0 });
+        let burst = self.bursts.entry(pair).or_insert(Burst::at(t));
         let close = t.nanos() - burst.last.nanos() <= BURST_NS;
+        let more = |count: u32, goes_on: bool| if goes_on { count.saturating_add(1) } else { 1 };
         *burst = Burst {
             last: t,
-            count: if close {
-                burst.count.saturating_add(1)
-            } else {
-                1
-            },
+            count: more(burst.count, close),
+            lasting: more(burst.lasting, !apart),
         };
         if burst.count > BURST_MAX && pair.1 != GROUND {
             self.holds.insert(pair, t.saturating_add_nanos(HOLD_NS));
@@ -114,13 +122,14 @@ impl Encounters {
         apart
     }
 
+    /// How often a pair has bounced since it was last apart.
+    pub(crate) fn bounces(&self, pair: Pair) -> u32 {
+        self.bursts.get(&pair).map_or(0, |burst| burst.lasting)
+    }
+
     /// The ground has carried a body until now.
     pub(crate) fn carried(&mut self, id: u32, t: SimTime) {
-        let burst = self
-            .bursts
-            .entry((id, GROUND))
-            .or_insert(Burst { last: t, count: 0 });
-        burst.last = t;
+        self.bursts.entry((id, GROUND)).or_insert(Burst::at(t)).last = t;
     }
 
     /// Forgets what can have no effect any more at `t`; `origin` tells since when a pair's segments hold.

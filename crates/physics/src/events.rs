@@ -1,19 +1,22 @@
 //! Working through time: what is predicted, when, and what happens when it comes.
 //!
-//! One thing is due at a time: two meet, a body stops sliding, a body may leave the ball of its
-//! neighbour list. Whatever changes a body's segment bumps its stamp, which voids all that was predicted
-//! of it, and predicts anew. Predictions reach to a *horizon*; there all lists are made anew, and all is
-//! predicted to the next horizon. While nothing moves that could touch anything, there is no horizon.
+//! One thing is due at a time: two meet, a body stops sliding, an island takes a step, a body may leave
+//! the ball of its neighbour list. Whatever changes a body's segment bumps its stamp, which voids all
+//! that was predicted of it, and predicts anew. Predictions reach to a *horizon*; there all lists are
+//! made anew, and all is predicted to the next horizon. While nothing moves that could touch anything,
+//! there is no horizon.
 
 use crate::body::{BodyId, Contacts};
 use crate::contact::Contact;
+use crate::foresee::review_due;
 use crate::limits;
 use crate::motion::Motion;
 use crate::physics::{Physics, duty};
-use crate::predict::{self, Passage};
+use crate::predict::Passage;
 use crate::queue::{Due, GROUND, Kind};
-use crate::response::{self, Impact};
+use crate::response::{self, Impact, Spot};
 use crate::support::Support;
+use crate::walls::Walls;
 use simbeeotic_kernel::SimTime;
 
 impl Physics {
@@ -42,16 +45,19 @@ impl Physics {
         if now >= self.horizon || self.horizon == SimTime::MAX && self.wakes() {
             self.renew(now);
         } else {
-            let dirty = std::mem::take(&mut self.dirty);
-            for &id in &dirty {
-                self.predict(id, now);
-            }
-            for &id in &dirty {
-                self.duties[id as usize] &= !duty::DIRTY;
-            }
-            self.dirty = dirty;
-            self.dirty.clear();
+            let mut dirty = std::mem::take(&mut self.dirty);
+            self.tell_islands(&dirty, now);
+            self.foresee_all(&dirty, |this, id, found| this.foresee(id, now, found));
+            self.clean(&mut dirty);
         }
+    }
+
+    /// What was changed has been looked at.
+    fn clean(&mut self, dirty: &mut Vec<u32>) {
+        for id in dirty.drain(..) {
+            self.duties[id as usize] &= !duty::DIRTY;
+        }
+        std::mem::swap(&mut self.dirty, dirty);
     }
 
     pub(crate) fn settle_if_dirty(&mut self) {
@@ -83,162 +89,65 @@ impl Physics {
 
     /// Lists all bodies anew at `t`, and predicts to the next horizon.
     fn renew(&mut self, t: SimTime) {
-        let moves = |id: usize, motion: &Motion| self.watches(id as u32) && !motion.stands();
-        let moving = self
-            .motions
-            .iter()
-            .enumerate()
-            .any(|(id, motion)| moves(id, motion));
+        let watched = |id: &u32| self.watches(*id) && !self.motions[*id as usize].stands();
+        let moving = self.movers.iter().any(watched);
         let horizon = t.saturating_add_nanos(self.list_period_ns);
-        let (duties, filters) = (&self.duties, &self.filters);
+        let filters = &self.filters;
         self.lists.build(
             &self.motions,
-            |id| duties[id as usize] & duty::LISTED != 0,
+            &self.listed,
             |a, b| filters[a as usize].agrees(filters[b as usize]),
-            t,
-            horizon,
+            (t, horizon),
+            self.pool.as_ref(),
         );
+        self.cover_walls();
         self.tally.listings += 1;
         self.queue.forget_predictions();
         let motions = &self.motions;
         self.encounters.prune(t, |pair| origin(motions, pair));
         self.horizon = if moving { horizon } else { SimTime::MAX };
 
-        for id in std::mem::take(&mut self.dirty) {
-            self.duties[id as usize] &= !duty::DIRTY;
-            self.review_later(id);
-        }
+        let mut dirty = std::mem::take(&mut self.dirty);
+        self.tell_islands(&dirty, t);
+        self.foresee_all(&dirty, |this, id, found| this.foresee_review(id, found));
+        self.clean(&mut dirty);
         if !moving {
             return;
         }
-        if self.ground.is_some() {
-            for id in 0..self.motions.len() as u32 {
-                self.predict_ground(id, t);
-            }
+        if self.ground.is_some() || self.has_walls {
+            let movers = std::mem::take(&mut self.movers);
+            self.foresee_all(&movers, |this, id, found| this.foresee_still(id, t, found));
+            self.movers = movers;
         }
-        for place in 0..self.lists.pairs().len() {
-            let (a, b) = self.lists.pairs()[place];
-            self.predict_pair(a, b, t);
-        }
+        let pairs = self.lists.take_pairs();
+        self.foresee_all(&pairs, |this, pair, found| {
+            this.foresee_pair(pair, t, found)
+        });
+        self.lists.give_pairs(pairs);
     }
 
-    /// Predicts everything about one body, as of `now`. Of two dirty bodies the first predicts the pair.
-    fn predict(&mut self, id: u32, now: SimTime) {
-        self.review_later(id);
-        if self.horizon == SimTime::MAX {
+    /// Sees to it that each body knows what stands within its ball of the lists.
+    fn cover_walls(&mut self) {
+        if !self.has_walls {
             return;
         }
-        self.predict_ground(id, now);
-        let duties = self.duties[id as usize];
-        if duties & duty::LISTED != 0 {
-            self.predict_leave(id, now);
-        }
-        if duties & duty::MEETS != 0 {
-            for place in self.lists.range(id) {
-                self.predict_neighbour(id, self.lists.neighbour(place), now);
-            }
-            for place in 0..self.lists.extra(id).len() {
-                self.predict_neighbour(id, self.lists.extra(id)[place], now);
-            }
+        self.walls.resize_with(self.motions.len(), Walls::unknown);
+        let mut room = Vec::new();
+        for at in 0..self.movers.len() {
+            self.cover_walls_of(self.movers[at], &mut room);
         }
     }
 
-    #[inline]
-    fn predict_neighbour(&mut self, id: u32, other: u32, now: SimTime) {
-        if other > id || self.duties[other as usize] & duty::DIRTY == 0 {
-            self.predict_pair(id, other, now);
-        }
-    }
-
-    fn predict_pair(&mut self, i: u32, j: u32, now: SimTime) {
-        let pair @ (a, b) = (i.min(j), i.max(j));
-        let (motion_a, motion_b) = (&self.motions[a as usize], &self.motions[b as usize]);
-        let origin = motion_a.t0.max(motion_b.t0);
-        let (from, passage) = self.encounters.search_from(pair, origin);
-        self.tally.searches += 1;
-        let jumped = self
-            .encounters
-            .inside_since(pair)
-            .is_some_and(|since| since < origin)
-            && predict::pair_apart(motion_a, motion_b, origin);
-        let time = if jumped {
-            Some(now)
-        } else {
-            predict::pair_passage(motion_a, motion_b, passage, from, now, self.horizon)
-        };
-        if let Some(time) = time {
-            let stamps = [motion_a.stamp, motion_b.stamp];
-            self.queue.push(Due {
-                time,
-                kind: kind(passage),
-                a,
-                b,
-                stamps,
-            });
-        }
-    }
-
-    #[inline]
-    fn predict_ground(&mut self, id: u32, now: SimTime) {
-        let motion = &self.motions[id as usize];
-        if self.duties[id as usize] & duty::GROUND == 0 || motion.support != Support::None {
+    fn cover_walls_of(&mut self, id: u32, room: &mut Vec<u32>) {
+        if self.duties[id as usize] & duty::WALLS == 0 {
             return;
         }
-        let pair = (id, GROUND);
-        let (from, passage) = self.encounters.search_from(pair, motion.t0);
-        let jumped = self
-            .encounters
-            .inside_since(pair)
-            .is_some_and(|since| since < motion.t0)
-            && predict::ground_apart(motion, motion.t0);
-        let time = if jumped {
-            Some(now)
-        } else {
-            predict::ground_passage(motion, passage, from, now, self.horizon)
-        };
-        if let Some(time) = time {
-            self.queue.push(Due {
-                time,
-                kind: kind(passage),
-                a: id,
-                b: GROUND,
-                stamps: [motion.stamp, 0],
-            });
-        }
-    }
-
-    fn predict_leave(&mut self, id: u32, now: SimTime) {
-        let motion = &self.motions[id as usize];
-        let time = self.lists.leaves(id, motion, now);
-        if time < self.horizon {
-            self.queue.push(Due {
-                time,
-                kind: Kind::Leave,
-                a: id,
-                b: id,
-                stamps: [motion.stamp; 2],
-            });
-        }
-    }
-
-    /// Sees to it that a body which slides or tumbles is looked at when its segment ends. One entry a
-    /// body stays in the queue: one that comes too early finds out, and asks for the right time.
-    fn review_later(&mut self, id: u32) {
-        let motion = &self.motions[id as usize];
-        let Some(time) = review_due(motion) else {
-            return;
-        };
-        let queued = &mut self.reviews[id as usize];
-        if time < *queued {
-            *queued = time;
-            self.queue.push(Due {
-                time,
-                kind: Kind::Review,
-                a: id,
-                b: id,
-                stamps: [0; 2],
-            });
-        }
+        let (centre, allowance) = self.lists.ball(id);
+        let radius = allowance + self.motions[id as usize].radius_m();
+        let filters = &self.filters;
+        let own = filters[id as usize];
+        let agree = |wall: u32| own.agrees(filters[wall as usize]);
+        self.walls[id as usize].cover(&self.statics, centre, radius, agree, room);
     }
 
     /// One thing happens.
@@ -246,6 +155,7 @@ impl Physics {
         match due.kind {
             Kind::Leave => self.relist(due.a, due.time),
             Kind::Review => self.review(due.a, due.time),
+            Kind::Step => self.step(due.a, due.time, contacts),
             Kind::Meet => self.meet(due, contacts),
             Kind::Part => self.part((due.a, due.b), due.time),
         }
@@ -259,8 +169,11 @@ impl Physics {
         let filters = &self.filters;
         let agree = |a: u32, b: u32| filters[a as usize].agrees(filters[b as usize]);
         self.lists.relist(id, &self.motions, agree, t, self.horizon);
+        if self.has_walls {
+            self.cover_walls_of(id, &mut Vec::new());
+        }
         self.tally.relistings += 1;
-        self.predict(id, t);
+        self.predict_again(&[id], t);
     }
 
     fn review(&mut self, id: u32, t: SimTime) {
@@ -278,9 +191,9 @@ impl Physics {
             }
             motion.stamp = motion.stamp.wrapping_add(1);
             self.tally.reviews += 1;
-            self.predict(id, t);
+            self.predict_again(&[id], t);
         } else {
-            self.review_later(id);
+            self.foresee_all(&[id], |this, id, found| this.foresee_review(id, found));
         }
     }
 
@@ -288,41 +201,93 @@ impl Physics {
     fn meet(&mut self, due: Due, contacts: &mut Vec<Contact>) {
         let Due { time, a, b, .. } = due;
         let pair = (a, b);
-        let respond = if b == GROUND {
-            self.duties[a as usize] & duty::RESPONDS != 0
-                && self.motions[a as usize].inverse_mass > 0.0
-        } else {
-            self.contact_of(a, b) == Contacts::Respond
+        let spot = match b {
+            GROUND => Spot::on_ground(self.side(a), time),
+            _ => Spot::between(self.side(a), self.side(b), time),
         };
-        let impact = if respond {
-            let apart = self.encounters.bounced(pair, time);
-            let impact = if b == GROUND {
-                self.bounce_off_ground(a, time)
-            } else {
-                self.bounce(a, b, time)
-            };
-            self.predict_again(&[a, b], time);
-            if !apart && impact.closing_speed() <= limits::NEWS_SPEED_M_S {
-                self.tally.contacts += 1;
-                return;
-            }
-            impact
-        } else {
+        if self.contact_of(a, b) != Contacts::Respond {
             // What only detects keeps its stamp, so the same meeting may have been predicted twice.
             if self.encounters.inside_since(pair).is_some() {
                 return;
             }
             self.encounters.passed(pair, Passage::In, time);
             self.predict_passage(pair, time);
-            let motion_a = &self.motions[a as usize];
-            if b == GROUND {
-                response::observe_ground(motion_a, time)
-            } else {
-                response::observe_pair(motion_a, &self.motions[b as usize], time)
-            }
+            let other = (b != GROUND).then(|| &self.motions[b as usize]);
+            let impact = response::observe(&self.motions[a as usize], other, &spot, time);
+            self.tally.contacts += 1;
+            contacts.push(report(due, &impact));
+            return;
+        }
+        let apart = self.encounters.bounced(pair, time);
+        let impact = if b == GROUND {
+            self.bounce_off_ground(a, &spot, time)
+        } else {
+            self.bounce(a, b, &spot, time)
         };
         self.tally.contacts += 1;
-        contacts.push(report(due, &impact));
+        if apart || impact.closing_speed() > limits::NEWS_SPEED_M_S {
+            contacts.push(report(due, &impact));
+        }
+        if impact.lasts && self.lasts(pair) {
+            self.join(a, b, time);
+        }
+        self.tell_islands(&[a, b], time);
+        self.predict_again(&[a, b], time);
+    }
+
+    /// An island takes a step.
+    fn step(&mut self, key: u32, t: SimTime, contacts: &mut Vec<Contact>) {
+        let mut changed = std::mem::take(&mut self.stepped);
+        changed.clear();
+        let first = contacts.len();
+        self.step_island(key, t, contacts, &mut changed);
+        self.tally.contacts += (contacts.len() - first) as u64;
+        self.tally.steps += 1;
+        self.queue_steps();
+        let sets_out = |id: &u32| !self.motions[*id as usize].stands();
+        if self.horizon == SimTime::MAX && changed.iter().any(sets_out) {
+            self.renew(t);
+        } else {
+            self.predict_again(&changed, t);
+        }
+        self.stepped = changed;
+    }
+
+    /// Bodies were changed: those in islands wake them. [`GROUND`] is passed over.
+    fn tell_islands(&mut self, ids: &[u32], t: SimTime) {
+        for &id in ids {
+            if self.islands.is_member(id) {
+                self.member_changed(id, t);
+            }
+        }
+        self.queue_steps();
+    }
+
+    fn queue_steps(&mut self) {
+        for (time, key) in self.islands.take_due() {
+            self.queue.push(Due {
+                time,
+                kind: Kind::Step,
+                a: key,
+                b: key,
+                stamps: [0; 2],
+            });
+        }
+    }
+
+    /// Whether a pair that does not come apart is to be handed to an island: at once if one of the two is
+    /// in one, or turns when it is pushed; two balls, or a ball and a wall, after a few small bounces,
+    /// which cost less than the island if someone pulls them apart soon.
+    fn lasts(&self, pair @ (a, b): (u32, u32)) -> bool {
+        let ball = |id: u32| id == GROUND || self.form(id).ball().is_some();
+        let member = |id: u32| id != GROUND && self.motions[id as usize].support == Support::Island;
+        let fixed = |id: u32| id == GROUND || self.duties[id as usize] & duty::FIXED != 0;
+        self.uses_islands
+            && (member(a)
+                || member(b)
+                || !(ball(a) || fixed(a))
+                || !(ball(b) || fixed(b))
+                || self.encounters.bounces(pair) >= limits::BOUNCES_OF_BALLS)
     }
 
     /// Two that only detect each other part.
@@ -333,25 +298,26 @@ impl Physics {
         }
     }
 
-    fn predict_passage(&mut self, (a, b): (u32, u32), t: SimTime) {
-        if b == GROUND {
-            self.predict_ground(a, t)
-        } else {
-            self.predict_pair(a, b, t)
-        }
+    fn predict_passage(&mut self, pair: (u32, u32), t: SimTime) {
+        self.foresee_all(&[pair], |this, pair, found| {
+            this.foresee_passage(pair, t, found)
+        });
     }
 
-    fn bounce(&mut self, a: u32, b: u32, t: SimTime) -> Impact {
+    fn bounce(&mut self, a: u32, b: u32, spot: &Spot, t: SimTime) -> Impact {
         let material = self.materials[a as usize].against(&self.materials[b as usize]);
         for id in [a, b] {
-            if self.motions[id as usize].support != Support::None {
+            if matches!(
+                self.motions[id as usize].support,
+                Support::Sliding | Support::Resting
+            ) {
                 self.encounters.carried(id, t);
             }
         }
         // The first of a pair has the lower index.
         let (before, from_b) = self.motions.split_at_mut(b as usize);
         let (motion_a, motion_b) = (&mut before[a as usize], &mut from_b[0]);
-        let impact = response::collide_pair(motion_a, motion_b, material, t);
+        let impact = response::collide(motion_a, motion_b, spot, material, t);
         for motion in [motion_a, motion_b] {
             if motion.inverse_mass > 0.0 {
                 motion.stamp = motion.stamp.wrapping_add(1);
@@ -360,26 +326,35 @@ impl Physics {
         impact
     }
 
-    fn bounce_off_ground(&mut self, a: u32, t: SimTime) -> Impact {
+    fn bounce_off_ground(&mut self, a: u32, spot: &Spot, t: SimTime) -> Impact {
         let ground = self.ground.unwrap_or_default();
         let material = ground.against(&self.materials[a as usize]);
+        let stands = self.form(a).ball().is_some() && self.duties[a as usize] & duty::ROLLS == 0;
         let motion = &mut self.motions[a as usize];
-        let impact = response::collide_ground(motion, material, t);
+        let impact = response::collide_ground(motion, spot, material, stands, t);
         motion.stamp = motion.stamp.wrapping_add(1);
         impact
     }
 
-    /// Predicts everything about bodies that something has happened to; [`GROUND`] is passed over.
-    fn predict_again(&mut self, ids: &[u32], t: SimTime) {
-        let bodies = || ids.iter().copied().filter(|id| *id != GROUND);
-        for id in bodies() {
-            self.duties[id as usize] |= duty::DIRTY;
+    /// Predicts everything about bodies that something has happened to; [`GROUND`] and what is fixed are
+    /// passed over.
+    pub(crate) fn predict_again(&mut self, ids: &[u32], t: SimTime) {
+        let moves =
+            |this: &Self, id: u32| id != GROUND && this.duties[id as usize] & duty::FIXED == 0;
+        for &id in ids {
+            if moves(self, id) {
+                self.duties[id as usize] |= duty::DIRTY;
+            }
         }
-        for id in bodies() {
-            self.predict(id, t);
-        }
-        for id in bodies() {
-            self.duties[id as usize] &= !duty::DIRTY;
+        self.foresee_all(ids, |this, id, found| {
+            if moves(this, id) {
+                this.foresee(id, t, found);
+            }
+        });
+        for &id in ids {
+            if moves(self, id) {
+                self.duties[id as usize] &= !duty::DIRTY;
+            }
         }
     }
 }
@@ -394,22 +369,7 @@ fn origin(motions: &[Motion], (a, b): (u32, u32)) -> SimTime {
     }
 }
 
-/// When the segment of a body that slides or tumbles ends.
-fn review_due(motion: &Motion) -> Option<SimTime> {
-    match (motion.slide_due(), motion.respin_due()) {
-        (Some(slide), Some(respin)) => Some(slide.min(respin)),
-        (slide, respin) => slide.or(respin),
-    }
-}
-
-fn kind(passage: Passage) -> Kind {
-    match passage {
-        Passage::In => Kind::Meet,
-        Passage::Out => Kind::Part,
-    }
-}
-
-fn report(due: Due, impact: &Impact) -> Contact {
+pub(crate) fn report(due: Due, impact: &Impact) -> Contact {
     Contact {
         time: due.time,
         a: BodyId(due.a),

@@ -23,14 +23,13 @@
 //! [`Islands::due`] says so when it comes. After [`Physics::step_island`] the bodies in `changed` follow
 //! new segments.
 
-use crate::body::{BodySpec, Mobility};
+use crate::body::Mobility;
 use crate::contact::Contact;
-use crate::error::BodyError;
 use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
-use crate::shape::form::{Form, Place};
+use crate::shape::form::Place;
 use glam::DVec3;
 use rapier3d_f64::dynamics::RigidBodyHandle;
 use simbeeotic_kernel::SimTime;
@@ -161,12 +160,6 @@ impl Island {
             .ok()
     }
 
-    fn enlist(&mut self, id: u32) {
-        if let Err(place) = self.members.binary_search_by_key(&id, |member| member.id) {
-            self.members.insert(place, Member::new(id));
-        }
-    }
-
     /// Gives up the world; the next step makes a new one.
     pub(crate) fn detach(&mut self) {
         self.world = None;
@@ -186,28 +179,9 @@ impl Island {
     }
 }
 
-/// What an island has to know of a body, besides what `Physics` keeps.
-pub(crate) struct Trait {
-    pub(crate) form: Form,
-    /// A ball that rolls.
-    pub(crate) rolls: bool,
-}
-
-impl std::fmt::Debug for Trait {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Trait")
-            .field("rolls", &self.rolls)
-            .finish_non_exhaustive()
-    }
-}
-
 /// All islands.
 #[derive(Debug)]
 pub(crate) struct Islands {
-    /// Of each body.
-    pub(crate) traits: Vec<Trait>,
-    /// The fixed ones.
-    pub(crate) fixed: Vec<u32>,
     slots: Vec<Box<Island>>,
     vacant: Vec<u32>,
     /// The slot of each body's island.
@@ -221,8 +195,6 @@ impl Islands {
     /// No island yet.
     pub(crate) fn new(step_ns: u64, solver_iterations: usize) -> Self {
         Self {
-            traits: Vec::new(),
-            fixed: Vec::new(),
             slots: Vec::new(),
             vacant: Vec::new(),
             places: Vec::new(),
@@ -230,19 +202,6 @@ impl Islands {
             step_ns,
             solver_iterations,
         }
-    }
-
-    /// Takes notice of a new body.
-    pub(crate) fn add(&mut self, spec: &BodySpec) -> Result<(), BodyError> {
-        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
-        if spec.mobility == Mobility::Fixed {
-            self.fixed.push(self.traits.len() as u32);
-        }
-        self.traits.push(Trait {
-            form,
-            rolls: spec.rolls,
-        });
-        Ok(())
     }
 
     fn slot(&self, id: u32) -> Option<u32> {
@@ -299,8 +258,17 @@ impl Islands {
         self.announce(slot);
     }
 
-    /// A slot for a new island.
-    fn settle(&mut self, island: Box<Island>) {
+    /// The slot of a body's island: a new one, if it is in none.
+    fn slot_of(&mut self, id: u32) -> u32 {
+        self.slot(id).unwrap_or_else(|| {
+            let mut island = Island::default();
+            island.members.push(Member::new(id));
+            self.settle(Box::new(island))
+        })
+    }
+
+    /// Finds a slot for a new island.
+    fn settle(&mut self, island: Box<Island>) -> u32 {
         let slot = self.vacant.pop().unwrap_or_else(|| {
             self.slots.push(Box::default());
             self.slots.len() as u32 - 1
@@ -309,6 +277,7 @@ impl Islands {
             self.house(member.id, slot);
         }
         self.give_back(slot, island);
+        slot
     }
 
     fn house(&mut self, id: u32, slot: u32) {
@@ -361,24 +330,6 @@ impl Physics {
             && self.duties[id as usize] & duty::RESPONDS != 0
     }
 
-    /// Appends the fixed bodies that can be within `bounds`.
-    pub(crate) fn fixed_near(&self, bounds: [DVec3; 2], near: &mut Vec<u32>) {
-        let [least, most] = bounds;
-        near.extend(self.islands.fixed.iter().filter(|id| {
-            let motion = &self.motions[**id as usize];
-            let at = Place {
-                p: motion.p,
-                q: motion.q,
-            };
-            let [low, high] = self.form(**id).bounds(at);
-            low.cmple(most).all() && high.cmpge(least).all()
-        }));
-    }
-
-    pub(crate) fn form(&self, id: u32) -> &Form {
-        &self.islands.traits[id as usize].form
-    }
-
     /// `a` and `b` touch lastingly from `t` on; either may be fixed, or [`GROUND`]. Their contact is seen
     /// to with a step at `t`, or, if they join an island that is under way, from its next step on: until
     /// then both keep their segments.
@@ -387,35 +338,21 @@ impl Physics {
         if !free(a) && !free(b) {
             return;
         }
-        let islands = &mut self.islands;
-        let who = [a, b].map(|id| (id, islands.slot(id)));
-        let joins = [self.joins(a), self.joins(b)];
-        let islands = &mut self.islands;
-        let slot = match (who, joins) {
-            ([(_, Some(a)), (_, Some(b))], _) if a != b => islands.merge(a, b),
-            ([(_, Some(slot)), (other, None)], [_, joins])
-            | ([(other, None), (_, Some(slot))], [joins, _]) => {
-                if joins {
-                    islands.slots[slot as usize].enlist(other);
-                    islands.house(other, slot);
-                }
-                slot
+        let mut common = None;
+        for id in [a, b] {
+            if !self.joins(id) {
+                continue;
             }
-            ([(_, Some(slot)), _], _) => slot,
-            _ => {
-                let mut island = Box::new(Island::default());
-                for (id, joins) in [a, b].into_iter().zip(joins) {
-                    if joins {
-                        island.enlist(id);
-                    }
-                }
-                island.next = Some(t);
-                islands.settle(island);
-                return;
-            }
-        };
-        let next = islands.slots[slot as usize].next.unwrap_or(t);
-        islands.wake(slot, next);
+            let slot = self.islands.slot_of(id);
+            common = match common {
+                Some(other) if other != slot => Some(self.islands.merge(other, slot)),
+                _ => Some(slot),
+            };
+        }
+        if let Some(slot) = common {
+            let next = self.islands.slots[slot as usize].next;
+            self.islands.wake(slot, next.unwrap_or(t));
+        }
     }
 
     /// A member's segment may have been changed by somebody else at `t`: wakes its island, if that

@@ -32,6 +32,10 @@ pub const PARTING_SPEED_M_S: f64 = 0.05;
 /// of velocities, below anything that shows.
 pub const PARTING_SPEED_M_S_MIN: f64 = 1e-6;
 
+/// Two balls that stay in touch, or a ball and a wall, are handed to an island after this many small
+/// bounces.
+pub const BOUNCES_OF_BALLS: u32 = 10;
+
 /// Two that met less than this ago have not been apart: unless they meet faster than
 /// [`NEWS_SPEED_M_S`], their meeting is part of a lasting contact, and not reported again, s.
 pub const LASTING_S: f64 = 0.05;

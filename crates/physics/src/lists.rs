@@ -8,6 +8,8 @@
 use crate::grid::{Grid, Item};
 use crate::motion::{Motion, seconds_between};
 use glam::DVec3;
+use rayon::ThreadPool;
+use rayon::prelude::*;
 use simbeeotic_kernel::SimTime;
 use std::collections::BTreeMap;
 
@@ -24,6 +26,11 @@ const CELL: f64 = 5.0;
 /// Shortest and longest edge of a cube, m.
 const CELL_M_RANGE: (f64, f64) = (0.25, 1000.0);
 
+/// Fewer bodies than this are listed by one thread.
+const PARALLEL_MIN: usize = 4096;
+/// Bodies that one thread takes at a time.
+const CHUNK: usize = 1024;
+
 /// Where a body stays until the next listing, and where its list begins.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
@@ -33,12 +40,21 @@ struct Ball {
     first: u32,
 }
 
+impl Ball {
+    const NONE: Self = Self {
+        centre: DVec3::ZERO,
+        allowance: 0.0,
+        first: 0,
+    };
+}
+
 /// Neighbour lists of all bodies.
 #[derive(Debug, Default)]
 pub(crate) struct Lists {
     grid: Grid,
-    /// One more than bodies: a list ends where the next begins.
     balls: Vec<Ball>,
+    /// How many neighbours each body has.
+    counts: Vec<u32>,
     neighbours: Vec<u32>,
     pairs: Vec<(u32, u32)>,
     /// Neighbours found since the listing.
@@ -63,55 +79,60 @@ fn reach(motion: &Motion, allowance: f32) -> f32 {
 }
 
 impl Lists {
-    /// Lists all bodies for which `listed` holds, from `t` until `horizon`. `agree` says of which pairs
-    /// it matters whether they meet.
+    /// Lists the bodies `listed`, from `t` until `horizon`. `agree` says of which pairs it matters whether
+    /// they meet.
     pub(crate) fn build(
         &mut self,
         motions: &[Motion],
-        listed: impl Fn(u32) -> bool,
-        agree: impl Fn(u32, u32) -> bool,
-        t: SimTime,
-        horizon: SimTime,
+        listed: &[u32],
+        agree: impl Fn(u32, u32) -> bool + Sync,
+        (t, horizon): (SimTime, SimTime),
+        pool: Option<&ThreadPool>,
     ) {
+        let pool = pool.filter(|_| listed.len() >= PARALLEL_MIN);
         let span_s = seconds_between(t, horizon);
         self.built = t;
         self.extra.clear();
         self.relisted.clear();
-        self.balls.clear();
+        self.balls.resize(motions.len(), Ball::NONE);
+        self.counts.resize(motions.len(), 0);
+
+        let ball = |id: &u32| {
+            let motion = &motions[*id as usize];
+            let (centre, v, a) = motion.kinematics(t);
+            let allowance = allowance(v.length(), a.length(), span_s);
+            let item = Item {
+                centre,
+                reach: reach(motion, allowance),
+                id: *id,
+            };
+            (item, allowance)
+        };
         let items = self.grid.collect();
         let mut total_reach = 0.0;
-        for (id, motion) in motions.iter().enumerate() {
-            let id = id as u32;
-            let mut ball = Ball {
-                centre: DVec3::ZERO,
-                allowance: 0.0,
+        let mut take = |(item, allowance): (Item, f32)| {
+            total_reach += item.reach();
+            self.balls[item.id as usize] = Ball {
+                centre: item.centre,
+                allowance,
                 first: 0,
             };
-            if listed(id) {
-                let (p, v, a) = motion.kinematics(t);
-                ball.centre = p;
-                ball.allowance = allowance(v.length(), a.length(), span_s);
-                let item = Item {
-                    centre: p,
-                    reach: reach(motion, ball.allowance),
-                    id,
-                };
-                total_reach += item.reach();
-                items.push(item);
-            }
-            self.balls.push(ball);
+            items.push(item);
+        };
+        if let Some(pool) = pool {
+            let mut balls = Vec::new();
+            let chunks = listed.par_iter().with_min_len(CHUNK);
+            pool.install(|| chunks.map(ball).collect_into_vec(&mut balls));
+            balls.into_iter().for_each(take);
+        } else {
+            listed.iter().map(ball).for_each(&mut take);
         }
-        self.balls.push(Ball {
-            centre: DVec3::ZERO,
-            allowance: 0.0,
-            first: 0,
-        });
-        let mean_reach = total_reach / items.len().max(1) as f64;
+        let mean_reach = total_reach / listed.len().max(1) as f64;
         self.sort_out(mean_reach);
         let (least, most) = CELL_M_RANGE;
         self.grid.build((CELL * mean_reach).clamp(least, most));
-        self.find_pairs(agree);
-        self.fill();
+        self.find_pairs(agree, pool);
+        self.fill(listed);
     }
 
     /// Tells the big bodies from the others.
@@ -129,32 +150,47 @@ impl Lists {
 
     /// Finds each pair once, from the one that reaches farther: so a big body asks far, and the others
     /// need not.
-    fn find_pairs(&mut self, agree: impl Fn(u32, u32) -> bool) {
+    fn find_pairs(&mut self, agree: impl Fn(u32, u32) -> bool + Sync, pool: Option<&ThreadPool>) {
         self.pairs.clear();
-        let (grid, pairs) = (&self.grid, &mut self.pairs);
-        for item in grid.items() {
-            grid.around(item.centre, 2.0 * item.reach(), |other| {
-                let touch = item.reach() + other.reach();
-                if item.centre.distance_squared(other.centre) <= touch * touch
-                    && (other.reach, other.id) < (item.reach, item.id)
-                    && agree(item.id, other.id)
-                {
-                    pairs.push((item.id, other.id));
-                }
-            });
-        }
+        let grid = &self.grid;
+        let find = |items: &[Item], pairs: &mut Vec<(u32, u32)>| {
+            for item in items {
+                grid.around(item.centre, 2.0 * item.reach(), |other| {
+                    let touch = item.reach() + other.reach();
+                    if item.centre.distance_squared(other.centre) <= touch * touch
+                        && (other.reach, other.id) < (item.reach, item.id)
+                        && agree(item.id, other.id)
+                    {
+                        pairs.push((item.id, other.id));
+                    }
+                });
+            }
+        };
+        let Some(pool) = pool else {
+            return find(grid.items(), &mut self.pairs);
+        };
+        let chunk = |items: &[Item]| {
+            let mut pairs = Vec::new();
+            find(items, &mut pairs);
+            pairs
+        };
+        let chunks: Vec<_> = pool.install(|| grid.items().par_chunks(CHUNK).map(chunk).collect());
+        self.pairs.extend(chunks.into_iter().flatten());
     }
 
     /// Writes each pair into the lists of both.
-    fn fill(&mut self) {
+    fn fill(&mut self, listed: &[u32]) {
+        for id in listed {
+            self.counts[*id as usize] = 0;
+        }
         for &(a, b) in &self.pairs {
-            self.balls[a as usize].first += 1;
-            self.balls[b as usize].first += 1;
+            self.counts[a as usize] += 1;
+            self.counts[b as usize] += 1;
         }
         let mut end = 0;
-        for ball in &mut self.balls {
-            end += ball.first;
-            ball.first = end;
+        for id in listed {
+            end += self.counts[*id as usize];
+            self.balls[*id as usize].first = end;
         }
         self.neighbours.clear();
         self.neighbours.resize(end as usize, 0);
@@ -167,15 +203,28 @@ impl Lists {
         }
     }
 
-    /// The pairs found at the listing, each once.
-    pub(crate) fn pairs(&self) -> &[(u32, u32)] {
-        &self.pairs
+    /// The pairs found at the listing, each once; to be given back.
+    pub(crate) fn take_pairs(&mut self) -> Vec<(u32, u32)> {
+        std::mem::take(&mut self.pairs)
+    }
+
+    /// Gives back what [`take_pairs`](Self::take_pairs) took.
+    pub(crate) fn give_pairs(&mut self, pairs: Vec<(u32, u32)>) {
+        self.pairs = pairs;
+    }
+
+    /// Where a listed body stays until the next listing: the centre of the ball, and how far it may go
+    /// from there, m.
+    pub(crate) fn ball(&self, id: u32) -> (DVec3, f64) {
+        let ball = &self.balls[id as usize];
+        (ball.centre, f64::from(ball.allowance))
     }
 
     /// Where in [`neighbour`](Self::neighbour) the list of a body lies.
     #[inline]
     pub(crate) fn range(&self, id: u32) -> std::ops::Range<u32> {
-        self.balls[id as usize].first..self.balls[id as usize + 1].first
+        let first = self.balls[id as usize].first;
+        first..first + self.counts[id as usize]
     }
 
     /// One entry of the lists.

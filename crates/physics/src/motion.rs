@@ -12,6 +12,7 @@
 
 use crate::body::Mobility;
 use crate::error::BodyError;
+use crate::shape::form::Place;
 use crate::support::Support;
 use glam::{DQuat, DVec3};
 use simbeeotic_kernel::SimTime;
@@ -235,6 +236,14 @@ impl Motion {
         let a = self.acceleration();
         let s = seconds_between(self.t0, t);
         (self.p + self.v * s + a * (0.5 * s * s), self.v + a * s, a)
+    }
+
+    /// Where the body stands at `t`.
+    pub(crate) fn place(&self, t: SimTime) -> Place {
+        Place {
+            p: self.position(t),
+            q: self.attitude(t),
+        }
     }
 
     pub(crate) fn inverse_inertia(&self) -> DVec3 {

@@ -4,15 +4,18 @@ use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::encounters::Encounters;
 use crate::error::{self, BodyError};
+use crate::foresee::Foreseen;
 use crate::islands::Islands;
 use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::queue::{GROUND, Queue};
 use crate::shape::Shape;
-use crate::shape::form::{Form, Place};
+use crate::shape::form::Form;
 use crate::statics::Statics;
 use crate::tree::Bounds;
+use crate::walls::Walls;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -25,6 +28,8 @@ pub struct Config {
     pub ground: Option<Material>,
     /// Time between two listings of who may meet whom, 1 ms to 1000 s. Changes the cost, never a result.
     pub list_period: Time,
+    /// What becomes of bodies that stay in touch.
+    pub contact_model: ContactModel,
     /// Time between two steps of bodies in lasting contact, 0.1 ms to 20 ms.
     pub island_step: Time,
     /// How often a step goes over the contacts of an island, 1 to 64: more for higher stacks, and for
@@ -41,11 +46,24 @@ impl Default for Config {
             gravity: simbeeotic_units::constants::STANDARD_GRAVITY,
             ground: Some(Material::default()),
             list_period: Time::from_millis(100.0),
+            contact_model: ContactModel::default(),
             island_step: Time::si(1.0 / 240.0),
             solver_iterations: 4,
             list_all: false,
         }
     }
+}
+
+/// What becomes of bodies that stay in touch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ContactModel {
+    /// They are handed to an island: a small world that is stepped, in which they slide, stack, push one
+    /// another and come to rest.
+    #[default]
+    Islands,
+    /// They bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly, wrong
+    /// for what lies upon one another.
+    Impulses,
 }
 
 impl Config {
@@ -84,6 +102,14 @@ pub(crate) mod duty {
     pub(crate) const RESPONDS: u8 = 8;
     /// It has changed, and its contacts are not predicted yet.
     pub(crate) const DIRTY: u8 = 16;
+    /// It may meet something fixed.
+    pub(crate) const WALLS: u8 = 32;
+    /// It never moves.
+    pub(crate) const FIXED: u8 = 64;
+    /// It rolls on what it lies on.
+    pub(crate) const ROLLS: u8 = 128;
+    /// What stays as it is when it is worked out anew who may meet whom.
+    pub(crate) const OWN: u8 = RESPONDS | DIRTY | FIXED | ROLLS;
 }
 
 /// Whom a body may touch; all that two bodies ask of each other when they are listed.
@@ -97,13 +123,11 @@ pub(crate) struct Filter {
 
 impl Filter {
     fn new(spec: &BodySpec) -> Self {
-        // Others do not collide yet.
-        let none = spec.contacts == Contacts::None || !matches!(spec.shape, Shape::Sphere { .. });
         Self {
             group: spec.group,
             mask: spec.mask,
             fixed: spec.mobility == Mobility::Fixed,
-            none,
+            none: spec.contacts == Contacts::None,
         }
     }
 
@@ -122,6 +146,18 @@ impl Filter {
     fn meets_ground(self) -> bool {
         self.mask & group::TERRAIN != 0 && !self.fixed && !self.none
     }
+}
+
+/// So many of the last outlines are compared with a new one: swarms are made body by body, worlds of
+/// many kinds of things are not worth a search.
+const OUTLINES_COMPARED: usize = 16;
+
+/// A shape, for bodies that move freely or for others, and what is made of it.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    pub(crate) shape: Shape,
+    pub(crate) free: bool,
+    pub(crate) form: Form,
 }
 
 /// All bodies, and the contacts between them.
@@ -157,8 +193,9 @@ pub struct Physics {
     pub(crate) duties: Vec<u8>,
     pub(crate) filters: Vec<Filter>,
     pub(crate) materials: Vec<Material>,
-    pub(crate) shapes: Vec<Shape>,
-    pub(crate) forms: Vec<Form>,
+    /// Every shape there is, once; and which of them each body has.
+    pub(crate) outlines: Vec<Outline>,
+    pub(crate) outline_of: Vec<u32>,
     /// When a review of each body is in the queue; [`SimTime::MAX`] if none is.
     pub(crate) reviews: Vec<SimTime>,
 
@@ -170,6 +207,21 @@ pub struct Physics {
     pub(crate) dirty: Vec<u32>,
     /// Bodies that may move and have no place in the lists.
     pub(crate) unlisted: Vec<u32>,
+    /// Bodies that are not fixed.
+    pub(crate) movers: Vec<u32>,
+    /// Those of them that have a place in the lists.
+    pub(crate) listed: Vec<u32>,
+    /// What stands near each body; empty if nothing that matters stands anywhere.
+    pub(crate) walls: Vec<Walls>,
+    pub(crate) has_walls: bool,
+    /// Whether bodies in lasting contact are handed to islands.
+    pub(crate) uses_islands: bool,
+    /// Threads that foresee; `None`: the caller's alone.
+    pub(crate) pool: Option<ThreadPool>,
+    /// Room for who follows a new segment after a step.
+    pub(crate) stepped: Vec<u32>,
+    /// Room for what is foreseen.
+    pub(crate) foreseen: Foreseen,
     /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
     /// touch something.
     pub(crate) horizon: SimTime,
@@ -194,6 +246,8 @@ pub struct Tally {
     pub listings: u64,
     /// Listings of one body.
     pub relistings: u64,
+    /// Steps of islands.
+    pub steps: u64,
     /// Segments begun anew because a body slid or tumbled.
     pub reviews: u64,
 }
@@ -217,10 +271,9 @@ impl Physics {
             duties: Vec::new(),
             filters: Vec::new(),
             materials: Vec::new(),
-            shapes: Vec::new(),
-            forms: Vec::new(),
+            outlines: Vec::new(),
+            outline_of: Vec::new(),
             reviews: Vec::new(),
-            statics: Statics::default(),
             lists: Lists::default(),
             queue: Queue::default(),
             encounters: Encounters::default(),
@@ -230,6 +283,15 @@ impl Physics {
             ),
             dirty: Vec::new(),
             unlisted: Vec::new(),
+            movers: Vec::new(),
+            listed: Vec::new(),
+            walls: Vec::new(),
+            has_walls: false,
+            statics: Statics::default(),
+            uses_islands: config.contact_model == ContactModel::Islands,
+            pool: None,
+            stepped: Vec::new(),
+            foreseen: Foreseen::default(),
             horizon: SimTime::MAX,
             quiet_until: SimTime::ZERO,
             clock: SimTime::ZERO,
@@ -250,28 +312,51 @@ impl Physics {
             .ok()
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
-        let form = Form::new(&spec.shape, spec.mobility == Mobility::Free)?;
-        self.islands.add(&spec)?;
+        let outline = self.outline(&spec)?;
         let friction = self
             .ground
             .map_or(0.0, |ground| ground.against(&spec.material).friction);
-        let responds = if spec.contacts == Contacts::Respond {
-            duty::RESPONDS
-        } else {
-            0
-        };
+        let bit = |holds: bool, bit: u8| if holds { bit } else { 0 };
+        let duties = duty::DIRTY
+            | bit(spec.contacts == Contacts::Respond, duty::RESPONDS)
+            | bit(spec.mobility == Mobility::Fixed, duty::FIXED)
+            | bit(spec.rolls, duty::ROLLS);
         self.motions
             .push(Motion::new(&spec, self.gravity, friction));
-        self.duties.push(responds | duty::DIRTY);
+        self.duties.push(duties);
         self.filters.push(Filter::new(&spec));
         self.materials.push(spec.material);
-        self.shapes.push(spec.shape);
-        self.forms.push(form);
+        self.outline_of.push(outline);
         self.reviews.push(SimTime::MAX);
         self.dirty.push(id);
         self.grown = true;
         self.quiet_until = SimTime::ZERO;
         Ok(BodyId(id))
+    }
+
+    /// The outline of a body: that of an earlier one, if it has the same.
+    fn outline(&mut self, spec: &BodySpec) -> Result<u32, BodyError> {
+        let free = spec.mobility == Mobility::Free;
+        let same = |known: &Outline| known.free == free && known.shape == spec.shape;
+        let recent = self.outlines.len().saturating_sub(OUTLINES_COMPARED);
+        let at = match self.outlines[recent..].iter().position(same) {
+            Some(at) => recent + at,
+            None => {
+                self.outlines.push(Outline {
+                    shape: spec.shape.clone(),
+                    free,
+                    form: Form::new(&spec.shape, free)?,
+                });
+                self.outlines.len() - 1
+            }
+        };
+        Ok(at as u32)
+    }
+
+    /// The form of a body.
+    #[inline]
+    pub(crate) fn form(&self, id: u32) -> &Form {
+        &self.outlines[self.outline_of[id as usize] as usize].form
     }
 
     /// Number of bodies.
@@ -308,7 +393,7 @@ impl Physics {
     /// If `id` is not one of [`add`](Self::add) of this world.
     #[must_use]
     pub fn shape(&self, id: BodyId) -> &Shape {
-        &self.shapes[id.index()]
+        &self.outlines[self.outline_of[id.index()] as usize].shape
     }
 
     /// Lets `motion` replace the body's segment from `now` on.
@@ -346,6 +431,17 @@ impl Physics {
         self.tally
     }
 
+    /// Lets `threads` threads foresee what happens to many bodies at once. The result is the same for any
+    /// number.
+    ///
+    /// # Errors
+    /// The threads cannot be started.
+    pub fn set_threads(&mut self, threads: usize) -> Result<(), ThreadPoolBuildError> {
+        let build = || ThreadPoolBuilder::new().num_threads(threads).build();
+        self.pool = if threads > 1 { Some(build()?) } else { None };
+        Ok(())
+    }
+
     /// Works out which bodies can meet at all. Bodies of the same filter form a class.
     pub(crate) fn classify(&mut self) {
         let mut classes: Vec<(Filter, bool)> = Vec::new();
@@ -355,42 +451,47 @@ impl Physics {
                 None => classes.push((*filter, false)),
             }
         }
-        let meets = |filter: Filter| {
-            classes
-                .iter()
-                .any(|(class, several)| filter.agrees(*class) && (*class != filter || *several))
+        let meets = |filter: Filter, fixed: bool| {
+            classes.iter().any(|(class, several)| {
+                class.fixed == fixed && filter.agrees(*class) && (*class != filter || *several)
+            })
         };
         let has_ground = self.ground.is_some();
-        self.unlisted.clear();
+        let bit = |holds: bool, bit: u8| if holds { bit } else { 0 };
+        for list in [&mut self.unlisted, &mut self.movers, &mut self.listed] {
+            list.clear();
+        }
+        self.has_walls = false;
         for (id, filter) in self.filters.iter().enumerate() {
             let duty = &mut self.duties[id];
-            *duty &= duty::RESPONDS | duty::DIRTY;
-            if has_ground && filter.meets_ground() {
-                *duty |= duty::GROUND;
+            *duty &= duty::OWN;
+            if filter.fixed {
+                continue;
             }
-            if meets(*filter) {
-                *duty |= duty::MEETS | duty::LISTED;
-            }
-            if self.list_all {
-                *duty |= duty::LISTED;
-            }
-            if *duty & duty::LISTED == 0 && !filter.fixed {
+            let (meets, walls) = (meets(*filter, false), meets(*filter, true));
+            *duty |= bit(has_ground && filter.meets_ground(), duty::GROUND)
+                | bit(meets, duty::MEETS)
+                | bit(walls, duty::WALLS)
+                | bit(meets || walls || self.list_all, duty::LISTED);
+            self.has_walls |= walls;
+            self.movers.push(id as u32);
+            if *duty & duty::LISTED == 0 {
                 self.unlisted.push(id as u32);
+            } else {
+                self.listed.push(id as u32);
             }
         }
+        self.walls.clear();
         self.statics = Statics::new(self.fixed());
         self.grown = false;
     }
 
     /// The fixed bodies and their bounds.
     fn fixed(&self) -> impl Iterator<Item = (u32, Bounds)> {
-        let bodies = self.motions.iter().zip(&self.forms).enumerate();
+        let bodies = self.motions.iter().zip(0..);
         bodies
-            .filter(|(_, (motion, _))| motion.mobility == Mobility::Fixed)
-            .map(|(id, (motion, form))| {
-                let (p, q) = (motion.p, motion.q);
-                (id as u32, form.bounds(Place { p, q }))
-            })
+            .filter(|(motion, _)| motion.mobility == Mobility::Fixed)
+            .map(|(motion, id)| (id, self.form(id).bounds(motion.place(SimTime::ZERO))))
     }
 
     /// Whether anything about a body has to be foreseen.
@@ -398,11 +499,17 @@ impl Physics {
         self.duties[id as usize] & (duty::GROUND | duty::LISTED) != 0
     }
 
-    /// Whether it matters if two bodies meet.
+    /// What happens if two bodies meet, or a body and the ground.
     pub(crate) fn contact_of(&self, a: u32, b: u32) -> Contacts {
-        let both = self.duties[a as usize] & self.duties[b as usize];
-        let movable =
-            self.motions[a as usize].inverse_mass + self.motions[b as usize].inverse_mass > 0.0;
+        let inverse_mass = |id: u32| self.motions[id as usize].inverse_mass;
+        let (both, movable) = if b == GROUND {
+            (self.duties[a as usize], inverse_mass(a) > 0.0)
+        } else {
+            (
+                self.duties[a as usize] & self.duties[b as usize],
+                inverse_mass(a) + inverse_mass(b) > 0.0,
+            )
+        };
         if both & duty::RESPONDS != 0 && movable {
             Contacts::Respond
         } else {

@@ -5,13 +5,20 @@
 //! calendar know: time is cut into windows of 2^27 ns (134 ms), and within each window the search
 //! begins at the later of the window's begin and the later segment's begin. Whoever asks, at whatever
 //! time before the meeting, gets the same nanosecond.
+//!
+//! Balls meet balls and the ground at roots of polynomials (`root`), whatever else meets is searched for
+//! (`approach`). When two that only detect each other part again is reported to nobody; for what is not
+//! balls it is looked at every 2^23 ns (8 ms).
 
+use crate::approach::{self, Side};
 use crate::motion::{Motion, seconds_between};
 use crate::root::Quartic;
 use simbeeotic_kernel::SimTime;
 
 /// Length of a window, as a power of two of nanoseconds.
 const WINDOW_LOG2: u32 = 27;
+/// How often it is looked at whether two have parted, likewise.
+const LOOK_LOG2: u32 = 23;
 
 /// Which way the distance passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +27,18 @@ pub(crate) enum Passage {
     In,
     /// From touching to apart.
     Out,
+}
+
+/// The span of a search.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Search {
+    pub(crate) passage: Passage,
+    /// When both segments hold and the pair is known to be on its side of the passage.
+    pub(crate) origin: SimTime,
+    /// Lies between the origin and the passage, if there is one.
+    pub(crate) now: SimTime,
+    /// What comes later may be missed.
+    pub(crate) horizon: SimTime,
 }
 
 /// Squared distance of two balls' centres less that at touch, with time counted from `from`.
@@ -43,79 +62,111 @@ fn ground_distance(body: &Motion, from: SimTime) -> Quartic {
     Quartic([p.z - body.radius_m(), v.z, 0.5 * a.z, 0.0, 0.0])
 }
 
-/// The first passage of two balls from `origin` on, if it comes by `horizon` or little later.
-///
-/// `origin` is when both segments hold and the pair is known to be on its side of the passage; `now`
-/// lies between it and the passage, if there is one.
+/// The first passage of two bodies, if it comes by the horizon or little later.
 #[inline]
-pub(crate) fn pair_passage(
-    a: &Motion,
-    b: &Motion,
-    passage: Passage,
-    origin: SimTime,
-    now: SimTime,
-    horizon: SimTime,
-) -> Option<SimTime> {
-    let distance = |from| match passage {
-        Passage::In => pair_distance(a, b, from),
-        Passage::Out => pair_distance(a, b, from).negated(),
-    };
-    let mut window = origin.max(now).nanos() >> WINDOW_LOG2;
-    let mut from = origin.max(SimTime::from_nanos(window << WINDOW_LOG2));
-    // A pair may be held beyond the horizon.
-    if from > horizon {
-        return None;
-    }
-    let mut quartic = distance(from);
-    if !quartic.may_fall(seconds_between(from, horizon)) {
-        return None;
-    }
-    loop {
-        let to = SimTime::from_nanos((window + 1).saturating_mul(1 << WINDOW_LOG2));
-        if let Some(s) = quartic.first_fall(seconds_between(from, to)) {
-            return Some(after(from, s).max(now));
-        }
-        if to > horizon {
-            return None;
-        }
-        (window, from) = (window + 1, to);
-        quartic = distance(from);
+pub(crate) fn pair_passage(a: Side<'_>, b: Side<'_>, search: &Search) -> Option<SimTime> {
+    if a.form.ball().is_some() && b.form.ball().is_some() {
+        balls_passage(a.motion, b.motion, search)
+    } else {
+        forms_passage(a, Some(b), search)
     }
 }
 
-/// The first passage of a ball through the ground from `origin` on, if it comes by `horizon`.
+/// The first passage of a body through the ground, if it comes by the horizon.
 #[inline]
-pub(crate) fn ground_passage(
-    body: &Motion,
-    passage: Passage,
-    origin: SimTime,
-    now: SimTime,
-    horizon: SimTime,
-) -> Option<SimTime> {
+pub(crate) fn ground_passage(a: Side<'_>, search: &Search) -> Option<SimTime> {
+    if a.form.ball().is_some() {
+        ball_ground_passage(a.motion, search)
+    } else {
+        forms_passage(a, None, search)
+    }
+}
+
+/// The windows of a search: where each begins and ends.
+fn windows(search: &Search) -> impl Iterator<Item = (SimTime, SimTime)> {
+    let Search {
+        origin,
+        now,
+        horizon,
+        ..
+    } = *search;
+    let first = origin.max(now).nanos() >> WINDOW_LOG2;
+    (first..)
+        .map(move |window| {
+            let begin = SimTime::from_nanos(window << WINDOW_LOG2);
+            let end = SimTime::from_nanos((window + 1).saturating_mul(1 << WINDOW_LOG2));
+            (origin.max(begin), end)
+        })
+        // A pair may be held beyond the horizon.
+        .take_while(move |(from, _)| *from <= horizon)
+}
+
+fn balls_passage(a: &Motion, b: &Motion, search: &Search) -> Option<SimTime> {
+    let mut first = true;
+    for (from, to) in windows(search) {
+        let quartic = pair_distance(a, b, from);
+        let quartic = match search.passage {
+            Passage::In => quartic,
+            Passage::Out => quartic.negated(),
+        };
+        if std::mem::take(&mut first) && !quartic.may_fall(seconds_between(from, search.horizon)) {
+            return None;
+        }
+        if let Some(s) = quartic.first_fall(seconds_between(from, to)) {
+            return Some(after(from, s).max(search.now));
+        }
+    }
+    None
+}
+
+fn ball_ground_passage(body: &Motion, search: &Search) -> Option<SimTime> {
+    let Search {
+        origin, horizon, ..
+    } = *search;
     if origin > horizon {
         return None;
     }
     let height = ground_distance(body, origin);
-    let height = if passage == Passage::In {
-        height
-    } else {
-        height.negated()
+    let height = match search.passage {
+        Passage::In => height,
+        Passage::Out => height.negated(),
     };
     let to = seconds_between(origin, horizon);
     if !height.may_fall(to) {
         return None;
     }
-    height.first_fall(to).map(|s| after(origin, s).max(now))
+    let fall = height.first_fall(to);
+    fall.map(|s| after(origin, s).max(search.now))
 }
 
-/// Whether two balls are apart at `t`.
-pub(crate) fn pair_apart(a: &Motion, b: &Motion, t: SimTime) -> bool {
-    pair_distance(a, b, t).0[0] > 0.0
+fn forms_passage(a: Side<'_>, b: Option<Side<'_>>, search: &Search) -> Option<SimTime> {
+    match search.passage {
+        Passage::In => windows(search)
+            .find_map(|(from, to)| approach::meets(a, b, from, to))
+            .map(|t| t.max(search.now)),
+        Passage::Out => {
+            let first = (search.origin.max(search.now).nanos() >> LOOK_LOG2) + 1;
+            (first..)
+                .map(|look| SimTime::from_nanos(look << LOOK_LOG2))
+                .take_while(|t| *t <= search.horizon)
+                .find(|t| apart(a, b, *t))
+        }
+    }
 }
 
-/// Whether a ball is above the ground at `t`.
-pub(crate) fn ground_apart(body: &Motion, t: SimTime) -> bool {
-    ground_distance(body, t).0[0] > 0.0
+/// Whether two are apart at `t`; `None` is the ground.
+pub(crate) fn apart(a: Side<'_>, b: Option<Side<'_>>, t: SimTime) -> bool {
+    match b {
+        Some(b) if a.form.ball().is_some() && b.form.ball().is_some() => {
+            pair_distance(a.motion, b.motion, t).0[0] > 0.0
+        }
+        None if a.form.ball().is_some() => ground_distance(a.motion, t).0[0] > 0.0,
+        Some(b) => {
+            let (here, there) = (a.motion.place(t), b.motion.place(t));
+            a.form.gap(here, b.form, there).distance > 0.0
+        }
+        None => a.form.gap_to_ground(a.motion.place(t)).distance > 0.0,
+    }
 }
 
 /// `s` seconds after `from`, to the nearest nanosecond.

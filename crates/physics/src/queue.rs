@@ -15,6 +15,8 @@ pub(crate) enum Kind {
     Leave,
     /// A body's segment begins anew: it has stopped sliding, or tumbles.
     Review,
+    /// An island takes a step.
+    Step,
     /// Two bodies, or a body and the ground, meet.
     Meet,
     /// Two that only detect each other part again.
@@ -37,7 +39,8 @@ impl Due {
     /// Whether both bodies still follow the segments that this was computed from.
     fn holds(&self, motions: &[Motion]) -> bool {
         let same = |i: u32, stamp: u32| i == GROUND || motions[i as usize].stamp == stamp;
-        self.kind == Kind::Review || same(self.a, self.stamps[0]) && same(self.b, self.stamps[1])
+        matches!(self.kind, Kind::Review | Kind::Step)
+            || same(self.a, self.stamps[0]) && same(self.b, self.stamps[1])
     }
 }
 
@@ -68,8 +71,9 @@ impl Queue {
         self.heap.pop();
     }
 
-    /// Forgets everything but reviews, which nobody computes again.
+    /// Forgets everything but reviews and steps, which nobody computes again.
     pub(crate) fn forget_predictions(&mut self) {
-        self.heap.retain(|Reverse(due)| due.kind == Kind::Review);
+        let stays = |kind: Kind| matches!(kind, Kind::Review | Kind::Step);
+        self.heap.retain(|Reverse(due)| stays(due.kind));
     }
 }

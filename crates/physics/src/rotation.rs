@@ -238,7 +238,7 @@ fn step_log2(rate: f64, spin_up: f64) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Euler, step_log2, turn_by};
+    use super::{Euler, step_log2, turn_between, turn_by};
     use glam::{DQuat, DVec3};
 
     /// A tumbling body under torque after 1 s, in `steps` steps.
@@ -275,6 +275,16 @@ mod tests {
                 (turn.y - sin).abs() < 2e-16 && (turn.w - cos).abs() < 2e-16,
                 "{degree} deg"
             );
+        }
+    }
+
+    #[test]
+    fn the_turn_between_two_attitudes_leads_from_one_to_the_other() {
+        let from = turn_by(DVec3::new(0.3, -1.2, 0.7));
+        for angle in [1e-12, 1e-6, 0.1, 3.0] {
+            let turn = DVec3::new(0.6, 0.0, -0.8) * angle;
+            let found = turn_between(from, -(from * turn_by(turn)));
+            assert!(found.distance(turn) < 1e-15 + 1e-14 * angle, "{angle}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! One step of an island: who leaves, who comes to rest, and where the others go.
 
-use crate::body::{BodyId, Mobility, group};
+use crate::body::{BodyId, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::island::{REACH_M, Role, Surface, Sweep, Touch, World};
 use crate::islands::{Island, Led, Member};
@@ -27,6 +27,8 @@ const STIR: f64 = 1e-3;
 const SCOPE_M: f64 = 0.5;
 /// and as far as it gets in this time, s.
 const SCOPE_S: f64 = 0.25;
+/// Radius of the patch on which a ball stands, over that of the ball.
+const PATCH: f64 = 0.01;
 /// A place that differs by less is the same, m and rad: rounding.
 const SAME: f64 = 1e-9;
 
@@ -34,13 +36,6 @@ const SAME: f64 = 1e-9;
 fn displaced(a: Place, b: Place) -> bool {
     let rounding = SAME + 1e-15 * a.p.abs().max_element();
     a.p.distance(b.p) > rounding || rotation::turn_between(a.q, b.q).length() > SAME
-}
-
-fn place(motion: &Motion, t: SimTime) -> Place {
-    Place {
-        p: motion.position(t),
-        q: motion.attitude(t),
-    }
 }
 
 /// Whether a driven body stands.
@@ -148,7 +143,7 @@ impl Physics {
         for member in &island.members {
             let motion = &self.motions[member.id as usize];
             if let (true, Some(body)) = (driven(motion), member.body) {
-                world.drive(body, place(motion, end));
+                world.drive(body, motion.place(end));
             }
         }
         world.step(dt_s);
@@ -156,6 +151,7 @@ impl Physics {
         let mut touches = Vec::new();
         world.touches(&mut touches);
         report(island, &before, &touches, t, contacts);
+        self.drill(island, &mut world, &touches);
         for (member, before) in island.members.iter_mut().zip(&before) {
             let motion = &mut self.motions[member.id as usize];
             let led = Step {
@@ -173,6 +169,51 @@ impl Physics {
         island.world = Some(world);
         island.cut = false;
         island.next = Some(end);
+    }
+
+    /// Friction against the spin of a ball about the normal of its contact, which a point would not have:
+    /// that of an evenly loaded patch of radius `a`, a torque of `2/3 mu N a` at most.
+    fn drill(&self, island: &Island, world: &mut World, touches: &[Touch]) {
+        for touch in touches {
+            let (a, b) = touch.pair;
+            for (id, other) in [(a, b), (b, a)] {
+                let Some(place) = island.position(id) else {
+                    continue;
+                };
+                let Some(radius) = self.form(id).ball() else {
+                    continue;
+                };
+                let motion = &self.motions[id as usize];
+                let (true, Some(body)) = (
+                    self.duties[id as usize] & duty::ROLLS != 0 && motion.inverse_mass > 0.0,
+                    island.members[place].body,
+                ) else {
+                    continue;
+                };
+                let mut sweep = world.sweep(body);
+                let spin = sweep.w.dot(touch.normal);
+                if spin == 0.0 {
+                    continue;
+                }
+                let friction = self
+                    .material(other)
+                    .against(&self.materials[id as usize])
+                    .friction;
+                let load = touch.impulse.dot(touch.normal).abs();
+                let most = 2.0 / 3.0 * friction * load * PATCH * radius;
+                let slower = most * motion.inverse_inertia().x;
+                sweep.w -= touch.normal * spin.clamp(-slower, slower);
+                world.set_sweep(body, sweep);
+            }
+        }
+    }
+
+    fn material(&self, id: u32) -> Material {
+        if id == GROUND {
+            self.ground.unwrap_or_default()
+        } else {
+            self.materials[id as usize]
+        }
     }
 
     /// The world of an island: a new one, if it has none, or has come far from its origin.
@@ -211,7 +252,7 @@ impl Physics {
             let motion = &self.motions[member.id as usize];
             let sweep = member.sweep(motion, t);
             sweeps.push(sweep);
-            let at = place(motion, t);
+            let at = motion.place(t);
             let Some(body) = member.body else {
                 let role = self.role(member.id);
                 let surface = self.surface(member.id);
@@ -260,7 +301,7 @@ impl Physics {
             }
             let around = radius + SCOPE_M + SCOPE_S * motion.v.length();
             member.scope = [member.at.p - around, member.at.p + around];
-            self.fixed_near(member.scope, &mut near);
+            self.statics.near(member.scope, &mut near);
         }
         near.sort_unstable();
         near.dedup();
@@ -268,7 +309,7 @@ impl Physics {
             let responds = self.duties[id as usize] & duty::RESPONDS != 0;
             if let (true, Err(index)) = (responds, island.fixed.binary_search(&id)) {
                 island.fixed.insert(index, id);
-                let at = place(&self.motions[id as usize], SimTime::ZERO);
+                let at = self.motions[id as usize].place(SimTime::ZERO);
                 world.add_fixed(&self.surface(id), self.form(id), at);
             }
         }
@@ -290,7 +331,7 @@ impl Physics {
         Role::Free {
             mass: motion.mass_kg(),
             inertia: motion.inertia_kg_m2(),
-            upright: self.form(id).ball().is_some() && !self.islands.traits[id as usize].rolls,
+            upright: self.form(id).ball().is_some() && self.duties[id as usize] & duty::ROLLS == 0,
         }
     }
 }
@@ -332,7 +373,7 @@ impl Step<'_> {
             && rotation::turn_between(from.q, member.at.q).length() < STILL_RATE_RAD_S * self.dt_s;
         self.age(member, still);
 
-        let here = place(motion, t);
+        let here = motion.place(t);
         let way = member.at.p - here.p;
         let turn = rotation::turn_between(here.q, member.at.q);
         if member.resting && (way.length() > STIR || turn.length() > STIR) {

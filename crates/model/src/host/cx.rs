@@ -6,7 +6,7 @@ use crate::swarm::{Core, Effect, Own, Swarm};
 use crate::timer::{Call, TimerHandle};
 use simbeeotic_kernel::Stream;
 use simbeeotic_kernel::{ModelId, Outbox, SimTime};
-use simbeeotic_units::{Pose, Time};
+use simbeeotic_units::Time;
 use std::any::Any;
 use std::fmt::Display;
 
@@ -91,11 +91,6 @@ impl Cx<'_> {
     /// The path of a model; empty for an id that is not one.
     pub fn path_of(&self, id: ModelId) -> &str {
         self.swarm.population.path(id)
-    }
-
-    /// The true pose of a model's body, as it was when this round began. `None` if it has none.
-    pub fn pose_of(&self, id: ModelId) -> Option<Pose> {
-        self.swarm.pose_of(id, self.now)
     }
 
     /// Sends `payload` to another model; it arrives in the next round of this instant.

@@ -6,7 +6,7 @@
 //! Bee<'_>        turn, fly, hover                    a vehicle flown by simple set points
 //!   Platform<'_>   read, send, draw                  sensors, radios, energy accounts
 //!     Entity<'_>     pose, velocity, set_force       a body in the world
-//!       Cx<'_>         now, uniform, arm, find       time, chance, timers, the population
+//!       Cx<'_>         now, uniform, arm, find       time, chance, timers, the population, the world
 //! ```
 //!
 //! A host is chosen by the behaviour: [`Flying`] unless it says otherwise, [`Station`] for things
@@ -18,6 +18,7 @@ mod bodiless;
 mod cx;
 mod entity;
 mod platform;
+mod sight;
 mod station;
 
 pub use bee::{Bee, Flying};

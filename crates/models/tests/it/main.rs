@@ -2,4 +2,7 @@
 
 mod agents;
 mod flight;
+mod pushes;
+mod refusals;
+mod solid;
 mod swarm;

@@ -111,7 +111,12 @@ fn piece(shape: &Shape, free: bool, place: Place) -> Result<Option<Piece>, BodyE
 }
 
 /// Appends the pieces of all parts.
-fn pieces(parts: &[Part], at: Place, free: bool, found: &mut Vec<Piece>) -> Result<(), BodyError> {
+fn pieces(
+    parts: &[Part],
+    at: Place,
+    free: bool,
+    found: &mut Vec<Piece>,
+) -> Result<(), BodyError> {
     for part in parts {
         let place = at.then(part.place());
         let mut triangle = |corners: [DVec3; 3]| {
@@ -376,55 +381,28 @@ mod tests {
         for _ in 0..200_000 {
             let (a, b) = (convex(&mut stream), convex(&mut stream));
             let (fa, fb) = (Form::new(&a, true).unwrap(), Form::new(&b, true).unwrap());
-            let at = Place {
-                p: stream.in_ball(1.0),
-                q: turn(&mut stream),
-            };
+            let at = Place { p: stream.in_ball(1.0), q: turn(&mut stream) };
             let dir = stream.unit_vector();
             let qb = turn(&mut stream);
-            let far = Place {
-                p: at.p + dir * 5.0,
-                q: qb,
-            };
-            let Some((way, _)) = fa.cast_form(at, &fb, far, -dir, 10.0) else {
-                continue;
-            };
+            let far = Place { p: at.p + dir * 5.0, q: qb };
+            let Some((way, _)) = fa.cast_form(at, &fb, far, -dir, 10.0) else { continue };
             // at several distances from touch
             for k in 0..12 {
-                let eps = if k < 10 {
-                    10f64.powi(-(k as i32))
-                } else {
-                    -10f64.powi(-(k as i32 - 4))
-                };
-                let there = Place {
-                    p: far.p - dir * (way - eps),
-                    q: qb,
-                };
+                let eps = if k < 10 { 10f64.powi(-(k as i32)) } else { -10f64.powi(-(k as i32 - 4)) };
+                let there = Place { p: far.p - dir * (way - eps), q: qb };
                 let g = fa.gap(at, &fb, there);
                 // lower bound from supports
-                let (super::Solid::One(pa), super::Solid::One(pb)) = (fa.solid(), fb.solid())
-                else {
-                    continue;
-                };
+                let (super::Solid::One(pa), super::Solid::One(pb)) = (fa.solid(), fb.solid()) else { continue };
                 let sa = at.p + pa.support(at.q, g.normal) + g.normal * pa.margin();
                 let sb = there.p + pb.support(there.q, -g.normal) - g.normal * pb.margin();
                 let low = (sb - sa).dot(g.normal);
                 let e = (g.distance - low).abs();
-                if e > worst[k][0] {
-                    worst[k][0] = e;
-                    if e > 1e-4 {
-                        println!("{k} {a:?} {b:?} d {} low {low} ", g.distance);
-                    }
-                }
+                if e > worst[k][0] { worst[k][0] = e; if e > 1e-4 { println!("{k} {a:?} {b:?} d {} low {low} ", g.distance); } }
                 worst[k][1] = worst[k][1].max(g.distance);
                 worst[k][2] = worst[k][2].min(g.distance);
-                if e > 1e-6 {
-                    over[k] += 1;
-                }
+                if e > 1e-6 { over[k] += 1; }
             }
         }
-        for k in 0..12 {
-            println!("{k}: {:?} {}", worst[k], over[k]);
-        }
+        for k in 0..12 { println!("{k}: {:?} {}", worst[k], over[k]); }
     }
 }

@@ -2,8 +2,8 @@
 //! (`form`).
 
 mod check;
-mod collider;
 pub(crate) mod convert;
+mod collider;
 mod convex;
 pub(crate) mod form;
 mod hull;

@@ -181,7 +181,7 @@ fn bodies_that_cannot_be_are_refused() {
         },
     ];
     for spec in bad {
-        assert!(physics.add(spec).is_err(), "{spec:?}");
+        assert!(physics.add(spec.clone()).is_err(), "{spec:?}");
     }
     assert!(physics.is_empty());
     let hive = BodySpec {

@@ -2,8 +2,8 @@
 
 use super::section::read;
 use simbeeotic_model::config::{Fault, Node};
-use simbeeotic_model::params;
-use simbeeotic_model::physics::{Config, Material};
+use simbeeotic_model::physics::{self, Config, Material};
+use simbeeotic_model::{choice, params};
 use simbeeotic_units::{Acceleration, Time};
 use simbeeotic_world::Ground;
 
@@ -24,6 +24,8 @@ pub struct PhysicsParams {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.0, max = 1.0))]
     pub restitution: Option<f64>,
+    /// What becomes of bodies that stay in touch.
+    pub contact_model: ContactModel,
     /// Time between two steps of bodies in lasting contact (piles, slopes, what is pushed along),
     /// 0.1 ms to 20 ms. Shorter is stiffer and costs more.
     pub island_step: Time,
@@ -38,6 +40,18 @@ pub struct PhysicsParams {
     pub list_all: bool,
 }
 
+/// What becomes of bodies that stay in touch. Single impacts are the same in both: impulses at
+/// computed times.
+#[choice]
+pub enum ContactModel {
+    /// They are stepped together in a small world of their own (see `island_step`): they slide, stack,
+    /// push one another and come to rest.
+    Islands,
+    /// They bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly,
+    /// wrong for what lies upon one another.
+    Impulses,
+}
+
 impl Default for PhysicsParams {
     fn default() -> Self {
         let config = Config::default();
@@ -46,6 +60,10 @@ impl Default for PhysicsParams {
             ground: config.ground.is_some(),
             friction: None,
             restitution: None,
+            contact_model: match config.contact_model {
+                physics::ContactModel::Islands => ContactModel::Islands,
+                physics::ContactModel::Impulses => ContactModel::Impulses,
+            },
             island_step: config.island_step,
             solver_iterations: config.solver_iterations,
             list_period: config.list_period,
@@ -66,6 +84,10 @@ impl PhysicsParams {
                 friction: friction.unwrap_or(usual.friction),
                 restitution: restitution.unwrap_or(usual.restitution),
             }),
+            contact_model: match self.contact_model {
+                ContactModel::Islands => physics::ContactModel::Islands,
+                ContactModel::Impulses => physics::ContactModel::Impulses,
+            },
             island_step: self.island_step,
             solver_iterations: self.solver_iterations,
             list_period: self.list_period,
@@ -133,6 +155,7 @@ mod tests {
     #[test]
     fn every_value_out_of_range_is_found_at_its_place() {
         for (text, value, range) in [
+            ("contact_model = \"events\"", "\"events\"", "unknown choice"),
             ("gravity = \"-1 m/s^2\"", "\"-1 m/s^2\"", "between 0 and"),
             ("friction = -0.5", "-0.5", "between 0 and 1000"),
             ("restitution = 1.5", "1.5", "between 0 and 1"),

@@ -2,8 +2,9 @@
 
 use super::{Failure, say};
 use serde_json::{Value, json};
-use simbeeotic_model::config::Fault;
+use simbeeotic_model::config::{Fault, Node, to_node};
 use simbeeotic_model::registry::{self, Kind, Part};
+use simbeeotic_scenario::plan::PhysicsParams;
 use std::fmt::Write as _;
 
 /// Lists parts, of one kind or of all.
@@ -43,7 +44,7 @@ pub(super) fn list(kind: Option<&str>, json: bool) -> Result<(), Failure> {
         }
         page.push('\n');
     }
-    page.push_str("`simbeeotic describe NAME` shows a part's parameters.");
+    page.push_str("`simbeeotic describe NAME` shows a part's parameters; `describe physics` those of [physics].");
     say(page)
 }
 
@@ -67,8 +68,11 @@ fn first_sentence(text: &str) -> &str {
         .map_or(text.trim_end_matches('.'), |end| &text[..end])
 }
 
-/// Describes the parts called `name`.
+/// Describes the parts called `name`, or the section `physics`.
 pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
+    if name == PHYSICS {
+        return describe_physics(json);
+    }
     let found: Vec<&Part> = registry::parts()
         .iter()
         .copied()
@@ -79,7 +83,10 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
             None,
             "part",
             name,
-            registry::parts().iter().map(|p| p.label.name),
+            registry::parts()
+                .iter()
+                .map(|p| p.label.name)
+                .chain([PHYSICS]),
         );
         let help = fault.help.as_deref().unwrap_or("");
         return Err(Failure::input(format!("{fault}; {help}")));
@@ -94,6 +101,20 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The section that is described as parts are.
+const PHYSICS: &str = "physics";
+
+fn describe_physics(json: bool) -> Result<(), Failure> {
+    let schema = simbeeotic_model::schemars::schema_for!(PhysicsParams).to_value();
+    if json {
+        return say(format!("{schema:#}"));
+    }
+    let docs = schema["description"].as_str().unwrap_or_default();
+    let mut page = format!("physics (a section of the scenario: [physics])\n\n  {docs}\n");
+    parameters(&mut page, &schema, &to_node(&PhysicsParams::default()));
+    say(page)
+}
+
 fn page(part: &Part) -> String {
     let mut page = format!(
         "{} ({}, in {})\n\n",
@@ -104,8 +125,15 @@ fn page(part: &Part) -> String {
     for line in part.label.docs.lines() {
         let _ = writeln!(page, "  {line}");
     }
-    let schema = (part.schema)().to_value();
-    let defaults = (part.defaults)();
+    parameters(&mut page, &(part.schema)().to_value(), &(part.defaults)());
+    if !part.label.java.is_empty() {
+        let _ = writeln!(page, "\nIn the original: {}", part.label.java.join(", "));
+    }
+    page
+}
+
+/// Each parameter with its default (if it has one), its words, its unit, its choices.
+fn parameters(page: &mut String, schema: &Value, defaults: &Node) {
     let empty = serde_json::Map::new();
     let fields = schema["properties"].as_object().unwrap_or(&empty);
     if fields.is_empty() {
@@ -115,11 +143,10 @@ fn page(part: &Part) -> String {
     }
     for (name, field) in fields {
         let default = defaults.as_table().and_then(|t| t.get(name));
-        let value = default
-            .map(simbeeotic_scenario::print::value)
-            .unwrap_or_default();
-        let _ = writeln!(page, "\n  {name} = {value}");
-        let kind = resolve(&schema, field);
+        let value = default.map(simbeeotic_scenario::print::value);
+        let value = value.map(|v| format!(" = {v}")).unwrap_or_default();
+        let _ = writeln!(page, "\n  {name}{value}");
+        let kind = resolve(schema, field);
         let text = field["description"]
             .as_str()
             .or(kind["description"].as_str())
@@ -135,10 +162,6 @@ fn page(part: &Part) -> String {
             let _ = writeln!(page, "      one of: {}", choices.join(", "));
         }
     }
-    if !part.label.java.is_empty() {
-        let _ = writeln!(page, "\nIn the original: {}", part.label.java.join(", "));
-    }
-    page
 }
 
 /// The type of a field: itself, or the definition that it refers to.

@@ -55,6 +55,21 @@ fn a_part_is_described_with_units_defaults_and_its_old_name() {
 }
 
 #[test]
+fn the_settings_of_physics_are_described_like_a_part() {
+    let call = Program::new().call(&["describe", "physics"]);
+    for words in [
+        "gravity = \"9.80665 m/s^2\"",
+        "list_period = \"0.1 s\"",
+        "solver_iterations = 4",
+        "island_step = ",
+        "Coulomb friction of the ground",
+        "unit: s",
+    ] {
+        assert!(call.out.contains(words), "{words} is not in:\n{}", call.out);
+    }
+}
+
+#[test]
 fn the_schema_knows_every_part() {
     let call = Program::new().call(&["schema"]);
     let schema: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
