@@ -292,8 +292,12 @@ fn pressed(a: &State, b: &State, spot: &Spot) -> bool {
     toward + centrifugal < 0.0
 }
 
-/// A body on the ground was hit: pressed down, it meets the ground anew; else it slides or takes off.
+/// A body on the ground was hit: pressed down, it meets the ground anew; else it slides or takes off. One
+/// in an island follows its next step.
 fn knock(motion: &mut Motion) {
+    if motion.support == Support::Island {
+        return;
+    }
     if motion.support != Support::None && motion.v.z < -STANDING_SPEED_M_S {
         motion.support = Support::None;
     } else {
