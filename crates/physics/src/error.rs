@@ -77,6 +77,11 @@ pub enum BodyError {
     TooMany,
 }
 
+/// The threads that were asked for cannot be started.
+#[derive(Debug, thiserror::Error)]
+#[error("threads for physics cannot be started")]
+pub struct ThreadsError(#[from] rayon::ThreadPoolBuildError);
+
 /// Nothing if `value` is finite.
 pub(crate) fn finite(what: &'static str, value: glam::DVec3) -> Result<(), BodyError> {
     if value.is_finite() {
