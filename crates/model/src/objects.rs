@@ -1,7 +1,7 @@
 //! The objects of a world as bodies that nothing moves.
 
 use simbeeotic_physics::{
-    BodyError, BodySpec, HeightField, Hull, Material, Mesh, Mobility, Shape, group,
+    BodyError, BodySpec, Config, HeightField, Hull, Material, Mesh, Mobility, Physics, Shape, group,
 };
 use simbeeotic_units::{Length, Offset, glam};
 use simbeeotic_world::{Object, ObjectKind, Solid, SolidShape};
@@ -31,17 +31,22 @@ pub fn bodies<'a>(object: &'a Object<'_>) -> impl Iterator<Item = BodySpec> + 'a
     })
 }
 
-/// Whether physics takes a solid as the shape of an object.
+/// Whether physics takes a solid that passes [`World::check`](simbeeotic_world::World::check) as the
+/// shape of an object. Only shapes of points can fail.
 ///
 /// # Errors
 /// What is wrong with it: a hull without volume, say.
 pub fn check(solid: &Solid) -> Result<(), BodyError> {
-    BodySpec {
+    match solid.shape {
+        SolidShape::Hull { .. } | SolidShape::Mesh { .. } | SolidShape::HeightField { .. } => {}
+        _ => return Ok(()),
+    }
+    let body = BodySpec {
         inertia_kg_m2: glam::DVec3::ONE,
         mobility: Mobility::Fixed,
         ..BodySpec::new(shape(solid), 1.0)
-    }
-    .check()
+    };
+    Physics::new(Config::default()).add(body).map(drop)
 }
 
 fn shape(solid: &Solid) -> Shape {

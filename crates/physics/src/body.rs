@@ -179,7 +179,7 @@ impl BodySpec {
     ///
     /// # Errors
     /// A value that is not finite or out of its range, moments of inertia that no body can have, a
-    /// box that is to move.
+    /// shape that may not move like this, or that is free and not [`centred`](Shape::centred).
     pub fn check(&self) -> Result<(), BodyError> {
         self.shape.check()?;
         let (least, most) = limits::MASS_KG_RANGE;
@@ -190,12 +190,7 @@ impl BodySpec {
         error::bounded("velocity [m/s]", self.v_enu, limits::SPEED_M_S_MAX)?;
         error::bounded("body rate [rad/s]", self.w_flu, limits::RATE_RAD_S_MAX)?;
         self.material.check()?;
-        match self.shape {
-            Shape::Box { .. } if self.mobility != Mobility::Fixed => {
-                Err(BodyError::ShapeMoves { shape: "box" })
-            }
-            _ => Ok(()),
-        }
+        self.shape.suits(self.mobility)
     }
 
     fn check_inertia(&self) -> Result<(), BodyError> {

@@ -56,6 +56,57 @@ pub enum BodyError {
         /// The name of the shape.
         shape: &'static str,
     },
+    /// Too few or too many of something.
+    #[error("there have to be {min} to {max} {what}, not {count}")]
+    Count {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// The least number that is accepted.
+        min: usize,
+        /// The greatest number that is accepted.
+        max: usize,
+    },
+    /// A triangle with a corner that is no point of the mesh.
+    #[error("a triangle has point {corner} for a corner; the mesh has {points}, counted from 0")]
+    Corner {
+        /// The index given.
+        corner: u32,
+        /// The number of points.
+        points: usize,
+    },
+    /// Heights that do not fill whole rows.
+    #[error("{heights} heights do not make whole rows of {columns}")]
+    Rows {
+        /// The number of heights.
+        heights: usize,
+        /// The number of heights in a row.
+        columns: usize,
+    },
+    /// A compound that cannot be.
+    #[error("a compound cannot consist of {part}")]
+    Part {
+        /// What it consists of.
+        part: &'static str,
+    },
+    /// A part that a body which moves freely cannot have.
+    #[error("a compound with a {part} in it can only be fixed or driven, not move freely")]
+    PartMoves {
+        /// The name of the part's shape.
+        part: &'static str,
+    },
+    /// A shape whose centre of mass is not at its origin, or whose principal axes are not x, y and z,
+    /// for a body that moves freely.
+    #[error(
+        "the centre of mass of the {shape} lies at {centre:?} m, and a free body's at the origin with x, y and z as principal axes: Shape::centred moves it there"
+    )]
+    OffCentre {
+        /// The name of the shape.
+        shape: &'static str,
+        /// Its centre of mass.
+        centre: [f64; 3],
+    },
     /// A force or an impulse on a body that is fixed or driven from outside.
     #[error("{command} has no effect on a body that is {mobility}")]
     Immovable {
@@ -76,6 +127,11 @@ pub enum BodyError {
     #[error("there are too many bodies")]
     TooMany,
 }
+
+/// The threads that were asked for cannot be started.
+#[derive(Debug, thiserror::Error)]
+#[error("threads for physics cannot be started")]
+pub struct ThreadsError(#[from] rayon::ThreadPoolBuildError);
 
 /// Nothing if `value` is finite.
 pub(crate) fn finite(what: &'static str, value: glam::DVec3) -> Result<(), BodyError> {

@@ -92,7 +92,7 @@ mod walls;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;
-pub use error::BodyError;
+pub use error::{BodyError, ThreadsError};
 pub use motion::{Motion, State};
 pub use physics::{Config, ContactModel, Physics, Tally};
 pub use shape::{HeightField, Hull, MassProperties, Mesh, Part, Shape};

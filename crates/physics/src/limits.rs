@@ -15,6 +15,8 @@ pub const ACCELERATION_M_S2_MAX: f64 = 1e6;
 pub const ANGULAR_ACCELERATION_RAD_S2_MAX: f64 = 1e7;
 /// Greatest radius or half extent of a body, m.
 pub const EXTENT_M_MAX: f64 = 1e5;
+/// Most points, triangles, or rows of one shape.
+pub const PIECES_MAX: usize = 1 << 26;
 /// Smallest and greatest mass of a body, kg.
 pub const MASS_KG_RANGE: (f64, f64) = (1e-9, 1e9);
 /// Greatest friction coefficient.

@@ -258,6 +258,14 @@ impl Lists {
         now.saturating_add_nanos(((s * 1e9) as u64).saturating_sub(1))
     }
 
+    /// Touches what is known of a body; see [`Physics::warm`](crate::Physics::warm).
+    #[inline]
+    pub(crate) fn warm(&self, id: u32) -> u64 {
+        let ball = self.balls.get(id as usize).map_or(0, |ball| ball.first);
+        let count = self.counts.get(id as usize).map_or(0, |count| *count);
+        u64::from(ball ^ count)
+    }
+
     /// Whether a body is elsewhere than when it was listed.
     pub(crate) fn displaced(&self, id: u32, motion: &Motion) -> bool {
         self.balls

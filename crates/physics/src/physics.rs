@@ -3,7 +3,7 @@
 use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 use crate::contact::Contact;
 use crate::encounters::Encounters;
-use crate::error::{self, BodyError};
+use crate::error::{self, BodyError, ThreadsError};
 use crate::foresee::Foreseen;
 use crate::islands::Islands;
 use crate::limits;
@@ -15,7 +15,7 @@ use crate::shape::form::Form;
 use crate::statics::Statics;
 use crate::tree::Bounds;
 use crate::walls::Walls;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
 
@@ -425,6 +425,20 @@ impl Physics {
         }
     }
 
+    /// Touches all that a change of the body will read. What it returns means nothing; who has several
+    /// bodies to change soon touches them together, so that their cache misses overlap.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[inline]
+    #[must_use]
+    pub fn warm(&self, id: BodyId) -> u64 {
+        let motion = &self.motions[id.index()];
+        let lines = motion.t0.nanos() ^ motion.a.x.to_bits() ^ motion.w.x.to_bits();
+        let tables = u64::from(self.duties[id.index()]) ^ self.reviews[id.index()].nanos();
+        lines ^ tables ^ u64::from(self.outline_of[id.index()]) ^ self.lists.warm(id.0)
+    }
+
     /// What has been done so far.
     #[must_use]
     pub fn tally(&self) -> Tally {
@@ -436,7 +450,7 @@ impl Physics {
     ///
     /// # Errors
     /// The threads cannot be started.
-    pub fn set_threads(&mut self, threads: usize) -> Result<(), ThreadPoolBuildError> {
+    pub fn set_threads(&mut self, threads: usize) -> Result<(), ThreadsError> {
         let build = || ThreadPoolBuilder::new().num_threads(threads).build();
         self.pool = if threads > 1 { Some(build()?) } else { None };
         Ok(())

@@ -98,7 +98,7 @@ pub(crate) struct Impact {
     pub(crate) relative_velocity: DVec3,
     /// On the first body.
     pub(crate) impulse: DVec3,
-    /// Whether it ended with the two hardly parting while forces press them together.
+    /// Whether it ended with the two hardly parting while forces may press them together.
     pub(crate) lasts: bool,
 }
 
@@ -245,6 +245,8 @@ pub(crate) fn collide(
     let velocity = side_a.velocity() - side_b.velocity();
     let closing = velocity.dot(spot.normal);
     let pressed = pressed(&side_a.state, &side_b.state, spot);
+    // What presses a body in an island does not show in its segment.
+    let stepped = [a.support, b.support].contains(&Support::Island);
     let least = if pressed {
         PARTING_SPEED_M_S
     } else {
@@ -269,7 +271,7 @@ pub(crate) fn collide(
         normal: spot.normal,
         relative_velocity: velocity,
         impulse,
-        lasts: pressed && parting <= PARTING_SPEED_M_S,
+        lasts: (pressed || stepped) && parting <= PARTING_SPEED_M_S,
     }
 }
 

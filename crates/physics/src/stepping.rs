@@ -250,7 +250,11 @@ impl Physics {
         let mut sweeps = Vec::with_capacity(island.members.len());
         for member in &mut island.members {
             let motion = &self.motions[member.id as usize];
-            let sweep = member.sweep(motion, t);
+            let mut sweep = member.sweep(motion, t);
+            if self.upright(member.id) {
+                // It came spinning, and cannot be stopped by a torque.
+                sweep.w = DVec3::ZERO;
+            }
             sweeps.push(sweep);
             let at = motion.place(t);
             let Some(body) = member.body else {
@@ -323,6 +327,11 @@ impl Physics {
         }
     }
 
+    /// Whether a body stands on whatever it touches, as on landing gear, and does not turn.
+    fn upright(&self, id: u32) -> bool {
+        self.form(id).ball().is_some() && self.duties[id as usize] & duty::ROLLS == 0
+    }
+
     fn role(&self, id: u32) -> Role {
         let motion = &self.motions[id as usize];
         if driven(motion) {
@@ -331,7 +340,7 @@ impl Physics {
         Role::Free {
             mass: motion.mass_kg(),
             inertia: motion.inertia_kg_m2(),
-            upright: self.form(id).ball().is_some() && self.duties[id as usize] & duty::ROLLS == 0,
+            upright: self.upright(id),
         }
     }
 }

@@ -90,3 +90,7 @@ pub mod prelude {
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/first-swarm.md")]
 mod book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/world.md")]
+mod world_in_the_book {}

@@ -87,6 +87,9 @@ pub enum SetupError {
     /// A pace that is not a number above zero.
     #[error(transparent)]
     Pace(#[from] simbeeotic_kernel::pace::PaceError),
+    /// Physics cannot have its threads.
+    #[error(transparent)]
+    Threads(#[from] simbeeotic_physics::ThreadsError),
     /// The engine cannot be made.
     #[error(transparent)]
     Engine(#[from] simbeeotic_kernel::EngineError),
@@ -97,6 +100,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     let plans = std::mem::take(&mut setup.models);
     let seed = setup.origin.seed;
     let mut physics = Physics::new(setup.physics);
+    physics.set_threads(setup.threads)?;
     let mut medium = setup.medium.take();
     let mut population = Population::default();
     let (mut agents, mut bodies, mut owners) = (Vec::new(), Vec::new(), Vec::new());

@@ -109,6 +109,14 @@ impl Convex {
         }
     }
 
+    /// About half of the size.
+    pub(crate) fn extent(&self) -> f64 {
+        match self {
+            Self::Triangle([a, b, c]) => 0.5 * (*b - *a).length().max((*c - *a).length()),
+            solid => solid.reach(),
+        }
+    }
+
     /// What lies between this solid and a point.
     #[inline]
     pub(crate) fn nearest(&self, p: DVec3) -> Nearest {

@@ -6,6 +6,7 @@ use super::hull::hull;
 use super::piece::Piece;
 use super::soup::{Bounds, Soup, Source, turned};
 use super::{Part, Shape};
+use crate::approach::reaches;
 use crate::error::BodyError;
 use glam::{DQuat, DVec3};
 use parry3d_f64::math::Pose as ParryPose;
@@ -287,7 +288,7 @@ impl Form {
     }
 
     /// Where `other`, moved from `other_at` along a unit direction, first meets this form within `max_m`:
-    /// the distance, and the gap at that place.
+    /// the distance, and the gap at that place. If they overlap from the start, they meet there.
     pub(crate) fn cast_form(
         &self,
         at: Place,
@@ -296,23 +297,13 @@ impl Form {
         direction: DVec3,
         max_m: f64,
     ) -> Option<(f64, Gap)> {
-        let mut way = 0.0;
-        for _ in 0..200 {
-            let p = other_at.p + direction * way;
-            let gap = self.gap(at, other, Place { p, ..other_at });
-            let closing = -direction.dot(gap.normal);
-            if gap.distance <= 1e-9 {
-                return Some((way, gap));
-            }
-            if closing <= 0.0 {
-                return None;
-            }
-            way += gap.distance / closing;
-            if way > max_m {
-                return None;
-            }
+        let begin = self.gap(at, other, other_at);
+        if begin.distance <= 0.0 {
+            return Some((0.0, begin));
         }
-        None
+        let way = reaches(self, at, other, other_at, direction, max_m)?;
+        let p = other_at.p + direction * way;
+        Some((way, self.gap(at, other, Place { p, ..other_at })))
     }
 
     /// The collider for rapier, and its pose in the body; made at the first call.

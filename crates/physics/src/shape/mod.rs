@@ -11,7 +11,7 @@ mod mass;
 pub(crate) mod piece;
 mod ray;
 mod separation;
-mod soup;
+pub(crate) mod soup;
 
 pub use mass::MassProperties;
 

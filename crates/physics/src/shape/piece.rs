@@ -15,6 +15,7 @@ pub(crate) struct Piece {
     /// Where it stands in the body, if not at its origin.
     place: Option<Place>,
     reach: f64,
+    extent: f64,
 }
 
 impl Place {
@@ -57,6 +58,7 @@ impl Piece {
             core => place.p.length() + core.reach(),
         };
         Self {
+            extent: core.extent() + margin,
             core,
             margin,
             place: moved.then_some(place),
@@ -69,6 +71,7 @@ impl Piece {
         let core = Convex::Triangle(corners);
         Self {
             reach: core.reach(),
+            extent: core.extent(),
             core,
             margin: 0.0,
             place: None,
@@ -93,10 +96,10 @@ impl Piece {
         self.margin
     }
 
-    /// Whether distances to it come from a closed form, whatever the other is.
+    /// About half of its size, wherever it stands, m.
     #[inline]
-    pub(crate) fn is_exact(&self) -> bool {
-        matches!(self.core, Convex::Point)
+    pub(crate) fn extent(&self) -> f64 {
+        self.extent
     }
 
     #[inline]

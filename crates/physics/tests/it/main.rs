@@ -1,13 +1,20 @@
 //! Physics against closed forms, against itself, and against what the original got wrong.
 
 mod bounce;
+mod closed_forms;
+mod determinism;
+mod differential;
 mod flight;
 mod impact;
 mod invariance;
+mod islands;
 mod original;
 mod pairs;
 mod piles;
+mod properties;
 mod refusal;
 mod rotation;
+mod shapes;
 mod slide;
+mod time_of_impact;
 mod worlds;

@@ -1,4 +1,4 @@
-//! Piles: nobody sinks into the ground, and what is pressed together is no news.
+//! Piles: nobody sinks into the ground, what is pressed together is no news, and what rests costs nothing.
 
 use crate::worlds::{G, ball, on_ground, run, seconds, stream, surface};
 use proptest::prelude::*;
@@ -28,6 +28,9 @@ fn pile(count: usize, purpose: &str, restitution: f64) -> Physics {
     physics
 }
 
+/// How far an island lets a body sink, m: bodies of 0.1 kg on one another, and a millimetre of slop.
+const SLOP_M: f64 = 1.5e-3;
+
 /// How far the lowest body is below its place on the ground, m.
 fn sunk(physics: &Physics, t: SimTime) -> f64 {
     (0..physics.len() as u32)
@@ -45,13 +48,13 @@ proptest! {
         for step in 1..=6 {
             let t = seconds(0.1 * f64::from(step));
             run(&mut physics, t);
-            prop_assert!(sunk(&physics, t) < 1e-6, "{} m at {t}", sunk(&physics, t));
+            prop_assert!(sunk(&physics, t) < SLOP_M, "{} m at {t}", sunk(&physics, t));
         }
     }
 }
 
 #[test]
-fn a_stack_that_rests_is_reported_when_it_comes_to_rest_and_no_more() {
+fn a_stack_that_rests_is_no_news_and_costs_nothing() {
     let mut physics = on_ground(surface(0.5, 0.0));
     for z in [0.1, 0.301, 0.502] {
         let spec = BodySpec {
@@ -60,13 +63,13 @@ fn a_stack_that_rests_is_reported_when_it_comes_to_rest_and_no_more() {
         };
         physics.add(spec).unwrap();
     }
-    run(&mut physics, seconds(1.0));
-    let before = physics.tally().contacts;
-    let reported = run(&mut physics, seconds(3.0));
-    let impacts = physics.tally().contacts - before;
-    assert!(impacts > 100, "{impacts} impacts carry the stack");
+    run(&mut physics, seconds(2.0));
+    let before = physics.tally();
+    let reported = run(&mut physics, seconds(10.0));
     assert!(reported.is_empty(), "{} reported", reported.len());
-    assert!(sunk(&physics, seconds(3.0)) < 1e-6);
+    assert_eq!(physics.tally(), before);
+    assert_eq!(physics.next_time(), None);
+    assert!(sunk(&physics, seconds(10.0)) < SLOP_M);
 }
 
 #[test]
@@ -91,13 +94,15 @@ fn whoever_has_been_apart_or_comes_fast_is_reported() {
 }
 
 #[test]
-fn no_body_of_a_great_pile_sinks() {
+fn a_great_pile_sinks_nowhere_and_comes_to_rest() {
     let mut physics = pile(200, "great pile", 0.0);
-    let mut reported = 0;
     for step in 1..=6 {
         let t = seconds(0.5 * f64::from(step));
-        reported += run(&mut physics, t).len();
-        assert!(sunk(&physics, t) < 1e-6, "{} m at {t}", sunk(&physics, t));
+        run(&mut physics, t);
+        assert!(sunk(&physics, t) < SLOP_M, "{} m at {t}", sunk(&physics, t));
     }
-    assert!(2 * (reported as u64) < physics.tally().contacts);
+    run(&mut physics, seconds(30.0));
+    let before = physics.tally();
+    run(&mut physics, seconds(60.0));
+    assert_eq!(physics.tally(), before);
 }

@@ -21,3 +21,23 @@ fn the_scenarios_of_the_first_chapter_run() {
     }
     assert!(scenarios >= 2, "the chapter shows scenarios");
 }
+
+#[test]
+fn the_world_of_the_book_stands_and_bees_of_its_shape_fly_in_it() {
+    let chapter = include_str!("../../../../docs/book/src/world.md");
+    let mut blocks = chapter.split("```toml").skip(1);
+    let mut next = || {
+        let block = blocks.next().expect("the chapter shows files");
+        block.split("```").next().expect("a block ends")
+    };
+    let (world, vehicle) = (next(), next());
+    let program = Program::new();
+    program.write("garden.toml", world);
+    let scenario = format!(
+        "world = \"garden.toml\"\n[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n{vehicle}"
+    );
+    program.write("book.toml", &scenario);
+    let call = program.call(&["run", "book.toml", "--quiet"]);
+    assert_eq!(call.code, Some(0), "{}\n{scenario}", call.err);
+    assert!(!call.err.contains("warning"), "{}", call.err);
+}
