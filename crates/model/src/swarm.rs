@@ -432,7 +432,7 @@ impl Domain for Swarm {
     /// A word of each cache line that a wake-up is going to need, as far as they are known here.
     fn warm(&self, id: ModelId, agent: &Agent) -> u64 {
         let Agent { model, core } = agent;
-        let body = self.body_of(id).map_or(0, |body| self.physics.touch(body));
+        let body = self.body_of(id).map_or(0, |body| self.physics.warm(body));
         core.timers.touch() ^ core.accounts.touch() ^ body ^ model.touch()
     }
 

@@ -86,7 +86,6 @@ mod shape;
 mod statics;
 mod stepping;
 mod support;
-mod touch;
 mod tree;
 mod walls;
 

@@ -182,6 +182,20 @@ impl Motion {
         }
     }
 
+    /// All that changes from segment to segment but the start time, as numbers: two segments of one
+    /// body that begin at one time are the same if these are. Nothing is evaluated.
+    #[inline]
+    #[must_use]
+    pub fn numbers(&self) -> [f64; 20] {
+        let (p, v, a, q, w) = (self.p, self.v, self.a, self.q, self.w);
+        let [tx, ty, tz] = self.torque.map(f64::from);
+        let support = f64::from(self.support as u8);
+        [
+            p.x, p.y, p.z, v.x, v.y, v.z, a.x, a.y, a.z, q.x, q.y, q.z, q.w, w.x, w.y, w.z, tx, ty,
+            tz, support,
+        ]
+    }
+
     /// Position at `t`, ENU, m.
     #[inline]
     #[must_use]
