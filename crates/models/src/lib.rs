@@ -3,7 +3,7 @@
 //! | kind | parts |
 //! |---|---|
 //! | vehicles | [`vehicle::simple_bee`] |
-//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::broadcast`], [`behavior::hive`] |
+//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`] |
 //! | sensors | [`sensor::compass`], [`sensor::position`] |
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |

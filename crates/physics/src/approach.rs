@@ -122,7 +122,8 @@ impl<'a> Turn<'a> {
                 let inertia = motion.inertia_kg_m2();
                 let least = inertia.min_element();
                 let w = motion.rotation(*from).1;
-                let momentum = (w * w).dot(inertia).sqrt() + motion.torque().length() * s / least.sqrt();
+                let momentum =
+                    (w * w).dot(inertia).sqrt() + motion.torque().length() * s / least.sqrt();
                 let rate = (momentum / least.sqrt()).min(crate::limits::RATE_RAD_S_MAX);
                 let ratio = inertia.max_element() / least - 1.0;
                 Swing {
@@ -211,13 +212,28 @@ impl Course<'_> {
 
     /// A step that leads to no touch, by equation (1), and whether it ends where `f` is zero; none if
     /// nothing touches within `rest`.
-    fn step(&self, here: &Piece, there: Partner<'_>, probe: &Probe, rate: f64, rest: f64) -> Option<f64> {
+    fn step(
+        &self,
+        here: &Piece,
+        there: Partner<'_>,
+        probe: &Probe,
+        rate: f64,
+        rest: f64,
+    ) -> Option<f64> {
         let normal = probe.gap.normal;
         let distance = probe.gap.distance;
         let closing = normal.dot(probe.v);
         let m = normal.dot(self.a);
-        let pieces = [Some(here), if let Partner::Piece(there) = there { Some(there) } else { None }];
-        let turning = |k: usize| pieces[k].filter(|piece| self.swings[k].rate > 0.0 && piece.reach() > 0.0);
+        let pieces = [
+            Some(here),
+            if let Partner::Piece(there) = there {
+                Some(there)
+            } else {
+                None
+            },
+        ];
+        let turning =
+            |k: usize| pieces[k].filter(|piece| self.swings[k].rate > 0.0 && piece.reach() > 0.0);
         let mut simple = 0.0;
         for k in 0..2 {
             if let Some(piece) = turning(k) {
@@ -226,7 +242,11 @@ impl Course<'_> {
                     Turn::Tumbling(..) => 1.0,
                     Turn::Steady(..) | Turn::Axis(..) | Turn::Still(_) => {
                         let axis = probe.turns[k].1.normalize_or_zero();
-                        if axis == DVec3::ZERO { 1.0 } else { normal.cross(axis).length() }
+                        if axis == DVec3::ZERO {
+                            1.0
+                        } else {
+                            normal.cross(axis).length()
+                        }
                     }
                 };
                 simple += lever * self.swings[k].rate * piece.reach();
@@ -319,7 +339,14 @@ impl Course<'_> {
     }
 
     /// The first touch between an instant at which the pieces are apart and one at which they are not.
-    fn bisect(&self, here: &Piece, there: Partner<'_>, mut apart: f64, mut touch: f64, least: f64) -> f64 {
+    fn bisect(
+        &self,
+        here: &Piece,
+        there: Partner<'_>,
+        mut apart: f64,
+        mut touch: f64,
+        least: f64,
+    ) -> f64 {
         while touch - apart > STEP_S_MIN {
             let middle = 0.5 * (apart + touch);
             if self.probe(here, there, middle).gap.distance > least {

@@ -38,6 +38,9 @@ impl Physics {
         self.clock = self.clock.max(now);
         self.quiet_until = SimTime::ZERO;
         let now = self.clock;
+        if *self.asked.get_mut() && !self.list_all {
+            (self.list_all, self.grown) = (true, true);
+        }
         if self.grown {
             self.classify();
             self.horizon = now;

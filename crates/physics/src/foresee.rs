@@ -67,6 +67,9 @@ impl Physics {
                 }
                 *queued = due.time;
             }
+            if due.kind == Kind::Leave && due.time <= self.clock {
+                self.lists.strays_from_now(due.a);
+            }
             self.queue.push(due);
         }
     }

@@ -37,29 +37,32 @@
 //! that body alone. A vehicle of higher fidelity changes its wrench more often, on its own clock.
 //!
 //! **A contact is a computed instant.** When a segment begins, the first time at which it meets any
-//! other is found as the root of a polynomial, and waits in a queue until it comes or one of the two
-//! changes course. Nothing tunnels at any speed, and [`Contact::time`] is the time of impact to the
-//! nanosecond. Two segments meet when they do: list periods, bodies far away, and who asked in between
-//! never show in a result, to the last bit.
+//! other is found (a root of a polynomial for balls, a search over closed forms for whatever turns), and
+//! waits in a queue until it comes or one of the two changes course. Nothing tunnels at any speed, and
+//! [`Contact::time`] is the time of impact. Two segments meet when they do: list periods, bodies far
+//! away, threads, and who asked in between never show in a result, to the last bit.
 //!
-//! **A bounce is an impulse, and rest is a state.** An impact at more than
-//! [`limits::REST_SPEED_M_S`] bounces; a slower one on the ground ends in [`Support`]: the body slides,
-//! friction stops it at a computed instant, and it rests at no cost until something lifts it.
+//! **A bounce is an impulse, lasting contact is an island, and rest is free.** What bounces gets one
+//! impulse. What does not come apart is handed to an island, a small world that is stepped: there
+//! bodies slide, topple, stack and push one another, and when they have come to rest they cost nothing.
+//! A ball on the ground needs none of that: it slides and rests by formula ([`Support`]).
 //!
-//! # What is not here yet
+//! # What is not here
 //!
-//! Only balls collide, with one another and with a level ground at up = 0: a box may stand in the world
-//! but is passed through. A lasting contact between two bodies is a row of small bounces (see
-//! [`limits::PARTING_SPEED_M_S`]), of which the first is reported; a body on the ground slides but does not roll.
+//! No joints, and nothing bends. A body that moves collides as a convex solid or a compound of such.
+//! Between members of one island a touch is timed to the step, 1/240 s ([`Config::island_step`]), and
+//! what lies on something sinks into it by less than a millimetre or two.
 //!
 //! # Reading order
 //!
 //! 1. `motion`, `rotation`: the segment and its closed forms; `command`: what begins a new one;
 //!    `support`: the ground that carries a body;
-//! 2. `body`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is refused;
-//! 3. `root`, `predict`: when two segments meet; `response`: what an impact does;
-//! 4. `grid`, `lists`: who might meet whom; `encounters`: the few pairs that must be remembered;
-//! 5. `queue`, `events`, `physics`: all bodies, through time.
+//! 2. `shape`, `body`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is refused;
+//! 3. `root`, `approach`, `predict`: when two segments meet; `response`: what an impact does;
+//! 4. `grid`, `lists`: who might meet whom; `tree`, `statics`, `walls`: what stands in the way;
+//!    `encounters`: the few pairs that must be remembered;
+//! 5. `island`, `islands`, `stepping`: lasting contact;
+//! 6. `queue`, `foresee`, `events`, `physics`: all bodies, through time; `queries`: rays and neighbours.
 
 mod approach;
 mod body;
@@ -83,6 +86,7 @@ mod response;
 mod root;
 mod rotation;
 mod shape;
+mod sight;
 mod statics;
 mod stepping;
 mod support;
@@ -94,5 +98,6 @@ pub use contact::Contact;
 pub use error::{BodyError, ThreadsError};
 pub use motion::{Motion, State};
 pub use physics::{Config, ContactModel, Physics, Tally};
+pub use queries::{Hit, Ray, Sees};
 pub use shape::{HeightField, Hull, MassProperties, Mesh, Part, Shape};
 pub use support::Support;

@@ -13,6 +13,8 @@ pub const RATE_RAD_S_MAX: f64 = 1e4;
 pub const ACCELERATION_M_S2_MAX: f64 = 1e6;
 /// Greatest angular acceleration that a torque may cause, rad/s^2.
 pub const ANGULAR_ACCELERATION_RAD_S2_MAX: f64 = 1e7;
+/// Least radius or half extent of a body, m.
+pub const EXTENT_M_MIN: f64 = 1e-9;
 /// Greatest radius or half extent of a body, m.
 pub const EXTENT_M_MAX: f64 = 1e5;
 /// Most points, triangles, or rows of one shape.

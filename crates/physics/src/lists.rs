@@ -7,11 +7,13 @@
 
 use crate::grid::{Grid, Item};
 use crate::motion::{Motion, seconds_between};
+use crate::tree::{Bounds, Tree};
 use glam::DVec3;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use simbeeotic_kernel::SimTime;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// A ball holds what a body's speed takes it, times this,
 const SPEED_MARGIN: f64 = 1.1;
@@ -64,7 +66,12 @@ pub(crate) struct Lists {
     big: Vec<u32>,
     /// The greatest reach of a body that is not big.
     common_reach: f64,
-    built: SimTime,
+    /// When a body was last listed.
+    since: SimTime,
+    /// Bodies that have left their ball and are not listed anew yet.
+    strays: Vec<u32>,
+    /// The balls in a tree, from the first question since the listing on.
+    sight: OnceLock<Tree>,
 }
 
 /// How far a body may go from where it is at `t` until `horizon`.
@@ -91,7 +98,9 @@ impl Lists {
     ) {
         let pool = pool.filter(|_| listed.len() >= PARALLEL_MIN);
         let span_s = seconds_between(t, horizon);
-        self.built = t;
+        self.since = t;
+        self.strays.clear();
+        self.sight.take();
         self.extra.clear();
         self.relisted.clear();
         self.balls.resize(motions.len(), Ball::NONE);
@@ -292,6 +301,12 @@ impl Lists {
         let allowance = allowance(v.length(), a.length(), seconds_between(t, horizon));
         let ball = &mut self.balls[id as usize];
         (ball.centre, ball.allowance) = (p, allowance);
+        self.since = t;
+        self.strays.retain(|stray| *stray != id);
+        let bounds = self.bounds(id, motions);
+        if let Some(tree) = self.sight.get_mut() {
+            tree.update(id, bounds);
+        }
         if !self.relisted.contains(&id) {
             self.relisted.push(id);
         }
@@ -328,8 +343,33 @@ impl Lists {
         found.extend_from_slice(&self.relisted);
     }
 
-    /// When the lists were made.
-    pub(crate) fn built(&self) -> SimTime {
-        self.built
+    /// From when on every listed body is in its ball, but for [`strays`](Self::strays).
+    pub(crate) fn since(&self) -> SimTime {
+        self.since
+    }
+
+    /// A body has left its ball, and will be listed anew.
+    pub(crate) fn strays_from_now(&mut self, id: u32) {
+        self.strays.push(id);
+    }
+
+    /// Bodies that have left their ball and are not listed anew yet.
+    pub(crate) fn strays(&self) -> &[u32] {
+        &self.strays
+    }
+
+    /// All that a listed body may fill until the next listing.
+    fn bounds(&self, id: u32, motions: &[Motion]) -> Bounds {
+        let ball = &self.balls[id as usize];
+        let reach = f64::from(reach(&motions[id as usize], ball.allowance));
+        [ball.centre - reach, ball.centre + reach]
+    }
+
+    /// The balls of the listed bodies, in a tree.
+    pub(crate) fn sight(&self, motions: &[Motion]) -> &Tree {
+        self.sight.get_or_init(|| {
+            let bodies = self.grid.items().iter().map(|item| item.id);
+            Tree::new(bodies.map(|id| (id, self.bounds(id, motions))))
+        })
     }
 }

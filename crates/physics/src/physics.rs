@@ -18,6 +18,7 @@ use crate::walls::Walls;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
+use std::sync::atomic::AtomicBool;
 
 /// What holds for the whole world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -188,6 +189,8 @@ pub struct Physics {
     pub(crate) ground: Option<Material>,
     pub(crate) list_period_ns: u64,
     pub(crate) list_all: bool,
+    /// Somebody looked for bodies that are not listed: all are to be, see `sight`.
+    pub(crate) asked: AtomicBool,
 
     pub(crate) motions: Vec<Motion>,
     pub(crate) duties: Vec<u8>,
@@ -267,6 +270,7 @@ impl Physics {
             ground: config.ground,
             list_period_ns: (config.list_period.get() * 1e9) as u64,
             list_all: config.list_all,
+            asked: AtomicBool::new(false),
             motions: Vec::new(),
             duties: Vec::new(),
             filters: Vec::new(),

@@ -39,11 +39,22 @@ impl Statics {
 
     /// Calls `visit` for each fixed body whose bounds `way` meets within `range`, as [`Tree::along`].
     #[inline]
-    pub(crate) fn along(&self, way: &Way, mut range: f64, mut visit: impl FnMut(u32, f64) -> f64) {
+    pub(crate) fn along(
+        &self,
+        way: &Way,
+        mut range: f64,
+        mut visit: impl FnMut(u32, f64) -> f64,
+    ) -> f64 {
         for &id in &self.endless {
             range = visit(id, range);
         }
-        self.tree.along(way, range, visit);
+        self.tree.along(way, range, visit)
+    }
+
+    /// Calls `visit` for each fixed body whose bounds overlap `bounds`.
+    pub(crate) fn overlapping(&self, bounds: Bounds, mut visit: impl FnMut(u32)) {
+        self.endless.iter().copied().for_each(&mut visit);
+        self.tree.overlapping(bounds, visit);
     }
 }
 

@@ -25,11 +25,14 @@ type Boxes = [[[f64; 4]; 2]; 3];
 struct Node {
     boxes: Boxes,
     children: [u32; 4],
+    /// Along which axis the last two children come after the first two.
+    axis: usize,
 }
 
 const EMPTY: Node = Node {
     boxes: [[[f64::INFINITY; 4], [f64::NEG_INFINITY; 4]]; 3],
     children: [NOTHING; 4],
+    axis: 0,
 };
 
 /// What an item is sorted by.
@@ -145,9 +148,10 @@ impl Tree {
         self.parents.push(parent);
         let mut span = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let share = share(keys.len());
-        let (first, second) = halve(keys, 2 * share);
-        let (a, b) = halve(first, share);
-        let (c, d) = halve(second, share);
+        let (first, second, axis) = halve(keys, 2 * share);
+        self.nodes[node as usize].axis = axis;
+        let (a, b, _) = halve(first, share);
+        let (c, d, _) = halve(second, share);
         for (child, keys) in [a, b, c, d].into_iter().enumerate() {
             let place = 4 * node + child as u32;
             let (index, outline) = match keys {
@@ -229,9 +233,15 @@ impl Tree {
     }
 
     /// Calls `visit` for each item whose box the way meets within `range`, roughly the nearest first.
-    /// `visit` gets the item and the range that still counts, and tells which counts from then on.
+    /// `visit` gets the item and the range that still counts, and tells which counts from then on; so
+    /// does the result.
     #[inline]
-    pub(crate) fn along(&self, way: &Way, mut range: f64, mut visit: impl FnMut(u32, f64) -> f64) {
+    pub(crate) fn along(
+        &self,
+        way: &Way,
+        mut range: f64,
+        mut visit: impl FnMut(u32, f64) -> f64,
+    ) -> f64 {
         let mut waiting = [(0.0, 0); WAITING];
         let mut count = usize::from(!self.nodes.is_empty());
         while count > 0 {
@@ -246,28 +256,22 @@ impl Tree {
             }
             let node = &self.nodes[child as usize];
             let (begin, end) = way.passes(&node.boxes, range);
-            let first = count;
+            // What comes last is looked at first. There is no branch here that could be guessed wrong.
+            let backwards = 3 * (1 - way.side[node.axis]);
             for i in 0..4 {
-                if begin[i] > end[i] {
-                    continue;
-                }
-                // The nearest comes last, and is looked at first.
-                let mut place = count;
-                while place > first && waiting[place - 1].0 < begin[i] {
-                    waiting[place] = waiting[place - 1];
-                    place -= 1;
-                }
-                waiting[place] = (begin[i], node.children[i]);
-                count += 1;
+                let i = i ^ backwards;
+                waiting[count] = (begin[i], node.children[i]);
+                count += usize::from(begin[i] <= end[i]);
             }
         }
+        range
     }
 }
 
-/// Sorts `keys` into the lower `count` along their longest axis, and the rest.
-fn halve(keys: &mut [Key], count: usize) -> (&mut [Key], &mut [Key]) {
+/// Sorts `keys` into the lower `count` along their longest axis, and the rest; tells which axis that is.
+fn halve(keys: &mut [Key], count: usize) -> (&mut [Key], &mut [Key], usize) {
     if keys.len() <= count {
-        return (keys, &mut []);
+        return (keys, &mut [], 0);
     }
     let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for key in keys.iter() {
@@ -285,7 +289,8 @@ fn halve(keys: &mut [Key], count: usize) -> (&mut [Key], &mut [Key]) {
         }
     });
     keys.select_nth_unstable_by(count, |a, b| a.centre[axis].total_cmp(&b.centre[axis]));
-    keys.split_at_mut(count)
+    let (lower, upper) = keys.split_at_mut(count);
+    (lower, upper, axis)
 }
 
 #[cfg(test)]

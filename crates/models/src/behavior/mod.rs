@@ -1,6 +1,7 @@
 //! Behaviours: what vehicles and stations do.
 
 pub mod broadcast;
+pub mod cruise;
 pub mod hive;
 pub mod inert;
 pub mod instrument;

@@ -14,7 +14,8 @@ const CENTRED: f64 = 1e-6;
 const DEPTH_MAX: usize = 8;
 
 fn extent(what: &'static str, value: f64) -> Result<(), BodyError> {
-    error::positive(what, value, limits::EXTENT_M_MAX)
+    error::positive(what, value, limits::EXTENT_M_MAX)?;
+    error::ranged(what, value, limits::EXTENT_M_MIN, limits::EXTENT_M_MAX)
 }
 
 fn points(what: &'static str, points: &[DVec3]) -> Result<(), BodyError> {
@@ -115,7 +116,11 @@ impl Shape {
             Self::Compound(parts) => {
                 if parts.is_empty() || depth == 0 {
                     return Err(BodyError::Part {
-                        part: if depth == 0 { "a compound within so many" } else { "nothing" },
+                        part: if depth == 0 {
+                            "a compound within so many"
+                        } else {
+                            "nothing"
+                        },
                     });
                 }
                 parts.iter().try_for_each(|part| part.check(depth - 1))
@@ -185,5 +190,129 @@ impl Part {
             return Err(BodyError::Part { part: "a plane" });
         }
         self.shape.check_numbers(depth)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Hull;
+    use glam::DVec2;
+    use simbeeotic_kernel::Stream;
+    use simbeeotic_units::Attitude;
+    use std::sync::Arc;
+
+    fn number(stream: &mut Stream) -> f64 {
+        match stream.below(12) {
+            0 => f64::NAN,
+            1 => f64::INFINITY,
+            2 => -1.0,
+            3 => 0.0,
+            4 => 1e-300,
+            5 => 1e300,
+            6 => 1e5,
+            7 => f64::from_bits(stream.below(u64::MAX)),
+            _ => stream.uniform(),
+        }
+    }
+
+    /// Mostly usable numbers, so that deeper checks are reached.
+    fn vector(stream: &mut Stream) -> DVec3 {
+        match stream.below(10) {
+            0 => DVec3::new(number(stream), number(stream), number(stream)),
+            1 => DVec3::ZERO,
+            2 => stream.in_ball(1.0).with_z(0.0),
+            3 => stream.in_ball(1e5),
+            4 => stream.in_ball(1e-12),
+            _ => stream.in_ball(1.0),
+        }
+    }
+
+    fn shape(stream: &mut Stream, depth: u32) -> Shape {
+        let (radius_m, half_height_m) = (number(stream), number(stream));
+        let many = stream.below(12);
+        match stream.below(if depth == 0 { 9 } else { 11 }) {
+            0 => Shape::Sphere { radius_m },
+            1 => Shape::Box {
+                half_m: vector(stream).abs(),
+            },
+            2 => Shape::Cylinder {
+                radius_m,
+                half_height_m,
+            },
+            3 => Shape::Cone {
+                radius_m,
+                half_height_m,
+            },
+            4 => Shape::Capsule {
+                radius_m,
+                half_height_m,
+            },
+            5 => Shape::Plane,
+            6 => Shape::Hull(Arc::new(Hull {
+                points_m: (0..many).map(|_| vector(stream)).collect(),
+            })),
+            7 => Shape::Mesh(Arc::new(Mesh {
+                points_m: (0..many).map(|_| vector(stream)).collect(),
+                triangles: (0..stream.below(5))
+                    .map(|_| [0; 3].map(|_: u32| stream.below(many + 1) as u32))
+                    .collect(),
+            })),
+            8 => Shape::HeightField(Arc::new(HeightField {
+                size_m: DVec2::new(number(stream), number(stream)),
+                columns: stream.below(5) as usize,
+                heights_m: (0..many).map(|_| number(stream)).collect(),
+            })),
+            _ => Shape::Compound(
+                (0..stream.below(4))
+                    .map(|_| Part {
+                        offset_m: vector(stream),
+                        attitude: Attitude::IDENTITY,
+                        shape: shape(stream, depth - 1),
+                    })
+                    .collect(),
+            ),
+        }
+    }
+
+    #[test]
+    fn no_numbers_make_it_panic_and_what_passes_has_a_form() {
+        let mut stream = Stream::new(1, "shapes", "test");
+        let mut good = 0;
+        for _ in 0..50_000 {
+            let shape = shape(&mut stream, 2);
+            let checked = shape.check();
+            assert_eq!(checked.is_err(), shape.check().is_err());
+            if checked.is_ok() {
+                good += 1;
+                let form = Form::new(&shape, false).unwrap();
+                form.shared();
+                assert!(
+                    form.radius() > 0.0 || matches!(shape, Shape::Mesh(_) | Shape::Compound(_)),
+                    "{shape:?}"
+                );
+                for mobility in [Mobility::Free, Mobility::Driven, Mobility::Fixed] {
+                    if shape.suits(mobility).is_ok() && mobility == Mobility::Free {
+                        Form::new(&shape, true).unwrap().shared();
+                    }
+                }
+                let (centred, _) = shape.centred();
+                let _ = centred.mass_properties(1.0);
+            }
+        }
+        assert!(good > 5000, "{good}");
+    }
+
+    #[test]
+    fn a_free_cone_has_to_be_centred() {
+        let cone = Shape::Cone {
+            radius_m: 0.2,
+            half_height_m: 0.3,
+        };
+        assert!(cone.suits(Mobility::Fixed).is_ok());
+        let error = cone.suits(Mobility::Free).unwrap_err().to_string();
+        assert!(error.contains("Shape::centred"), "{error}");
+        assert!(cone.centred().0.suits(Mobility::Free).is_ok());
+        assert!(Shape::Plane.suits(Mobility::Driven).is_err());
     }
 }

@@ -112,12 +112,7 @@ fn piece(shape: &Shape, free: bool, place: Place) -> Result<Option<Piece>, BodyE
 }
 
 /// Appends the pieces of all parts.
-fn pieces(
-    parts: &[Part],
-    at: Place,
-    free: bool,
-    found: &mut Vec<Piece>,
-) -> Result<(), BodyError> {
+fn pieces(parts: &[Part], at: Place, free: bool, found: &mut Vec<Piece>) -> Result<(), BodyError> {
     for part in parts {
         let place = at.then(part.place());
         let mut triangle = |corners: [DVec3; 3]| {
@@ -327,9 +322,11 @@ fn nothing(at: Place, other_at: Place) -> Gap {
 
 #[cfg(test)]
 mod tests {
-    use super::{Form, Place};
-    use crate::shape::{Hull, Part, Shape};
-    use glam::{DQuat, DVec3};
+    use super::{Form, Place, Solid};
+    use crate::shape::convert::to_parry;
+    use crate::shape::{HeightField, Hull, Part, Shape};
+    use glam::{DQuat, DVec2, DVec3};
+    use parry3d_f64::query::Ray;
     use simbeeotic_kernel::Stream;
     use simbeeotic_units::Attitude;
     use std::sync::Arc;
@@ -364,36 +361,118 @@ mod tests {
         }
     }
 
+    /// Two places for two convex shapes, the second straight out of the first's reach, and how far it can
+    /// come back before they touch.
+    fn pair(stream: &mut Stream) -> Option<(Form, Form, Place, Place, DVec3, f64)> {
+        let [a, b] = [convex(stream), convex(stream)].map(|s| Form::new(&s, true).unwrap());
+        let at = Place {
+            p: stream.in_ball(1.0),
+            q: turn(stream),
+        };
+        let out = stream.unit_vector();
+        let far = Place {
+            p: at.p + out * 5.0,
+            q: turn(stream),
+        };
+        let (way, _) = a.cast_form(at, &b, far, -out, 10.0)?;
+        Some((a, b, at, far, -out, way))
+    }
+
     #[test]
-    fn probe_gjk() {
-        let mut stream = Stream::new(1, "forms", "test");
-        let mut worst = [[0.0_f64; 3]; 12];
-        let mut over = [0; 12];
-        for _ in 0..200_000 {
-            let (a, b) = (convex(&mut stream), convex(&mut stream));
-            let (fa, fb) = (Form::new(&a, true).unwrap(), Form::new(&b, true).unwrap());
-            let at = Place { p: stream.in_ball(1.0), q: turn(&mut stream) };
-            let dir = stream.unit_vector();
-            let qb = turn(&mut stream);
-            let far = Place { p: at.p + dir * 5.0, q: qb };
-            let Some((way, _)) = fa.cast_form(at, &fb, far, -dir, 10.0) else { continue };
-            // at several distances from touch
-            for k in 0..12 {
-                let eps = if k < 10 { 10f64.powi(-(k as i32)) } else { -10f64.powi(-(k as i32 - 4)) };
-                let there = Place { p: far.p - dir * (way - eps), q: qb };
-                let g = fa.gap(at, &fb, there);
-                // lower bound from supports
-                let (super::Solid::One(pa), super::Solid::One(pb)) = (fa.solid(), fb.solid()) else { continue };
-                let sa = at.p + pa.support(at.q, g.normal) + g.normal * pa.margin();
-                let sb = there.p + pb.support(there.q, -g.normal) - g.normal * pb.margin();
-                let low = (sb - sa).dot(g.normal);
-                let e = (g.distance - low).abs();
-                if e > worst[k][0] { worst[k][0] = e; if e > 1e-4 { println!("{k} {a:?} {b:?} d {} low {low} ", g.distance); } }
-                worst[k][1] = worst[k][1].max(g.distance);
-                worst[k][2] = worst[k][2].min(g.distance);
-                if e > 1e-6 { over[k] += 1; }
+    fn a_gap_is_what_lies_between_two_planes_across_its_normal() {
+        let mut stream = Stream::new(1, "gaps", "test");
+        for _ in 0..3000 {
+            let Some((a, b, at, far, back, way)) = pair(&mut stream) else {
+                continue;
+            };
+            let (Solid::One(here), Solid::One(there)) = (a.solid(), b.solid()) else {
+                panic!("convex shapes are one piece");
+            };
+            for left in [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 0.0] {
+                let place = Place {
+                    p: far.p + back * (way - left),
+                    q: far.q,
+                };
+                let gap = a.gap(at, &b, place);
+                let n = gap.normal;
+                let low = at.p + here.support(at.q, n) + n * here.margin();
+                let high = place.p + there.support(place.q, -n) - n * there.margin();
+                assert!((n.length() - 1.0).abs() < 1e-12);
+                assert!((n.dot(high - low) - gap.distance).abs() < 1e-12);
+                // As far as the one may still come along any direction, and no farther.
+                assert!(
+                    gap.distance <= left + 1e-7 && gap.distance > -1e-6,
+                    "{left} {gap:?} {a:?} {b:?}"
+                );
+                let same = b.gap(place, &a, at);
+                assert!(
+                    (same.distance - gap.distance).abs() < 1e-6 * (1.0 + left),
+                    "{gap:?} {same:?}"
+                );
             }
         }
-        for k in 0..12 { println!("{k}: {:?} {}", worst[k], over[k]); }
+    }
+
+    #[test]
+    fn a_compound_is_as_near_as_the_nearest_of_its_parts() {
+        let mut stream = Stream::new(1, "compounds", "test");
+        for _ in 0..300 {
+            let parts: Vec<_> = (0..5)
+                .map(|_| Part {
+                    offset_m: stream.in_ball(2.0),
+                    attitude: Attitude::from_unit_quat(turn(&mut stream)),
+                    shape: convex(&mut stream),
+                })
+                .collect();
+            let other = Form::new(&convex(&mut stream), true).unwrap();
+            let at = Place {
+                p: stream.in_ball(3.0),
+                q: turn(&mut stream),
+            };
+            let other_at = Place {
+                p: stream.in_ball(6.0),
+                q: turn(&mut stream),
+            };
+            let part = |part: &Part| {
+                let form = Form::new(&part.shape, true).unwrap();
+                form.gap(at.then(part.place()), &other, other_at).distance
+            };
+            let least = parts.iter().map(part).fold(f64::INFINITY, f64::min);
+            let compound = Form::new(&Shape::Compound(parts.into()), true).unwrap();
+            for gap in [
+                compound.gap(at, &other, other_at),
+                other.gap(other_at, &compound, at).flipped(),
+            ] {
+                assert!((gap.distance - least).abs() < 1e-6, "{gap:?} {least}");
+            }
+        }
+    }
+
+    #[test]
+    fn colliders_have_the_same_outline() {
+        let mut stream = Stream::new(1, "colliders", "test");
+        let heights_m = (0..30).map(|_| stream.uniform()).collect();
+        let field = Shape::HeightField(Arc::new(HeightField {
+            size_m: DVec2::new(3.0, 2.0),
+            columns: 6,
+            heights_m,
+        }));
+        let mut forms: Vec<_> = (0..200)
+            .map(|_| Form::new(&convex(&mut stream), true).unwrap())
+            .collect();
+        forms.push(Form::new(&field, false).unwrap());
+        for form in &forms {
+            for _ in 0..50 {
+                let from = stream.unit_vector() * 4.0;
+                let direction = (stream.in_ball(1.0) - from).normalize();
+                let ours = form.cast_ray(Place::IDENTITY, from, direction, 20.0);
+                let (shape, pose) = form.shared();
+                let ray = Ray::new(to_parry(from), to_parry(direction));
+                let theirs = shape.cast_ray(&pose, &ray, 20.0, true);
+                if let (Some((ours, _)), Some(theirs)) = (ours, theirs) {
+                    assert!((ours - theirs).abs() < 1e-3, "{form:?} {ours} {theirs}");
+                }
+            }
+        }
     }
 }

@@ -77,7 +77,11 @@ fn tetrahedron(points: &[DVec3], tolerance: f64) -> Option<Vec<Face>> {
     if flat {
         return None;
     }
-    let (b, c) = if height(points[d]) > 0.0 { (c, b) } else { (b, c) };
+    let (b, c) = if height(points[d]) > 0.0 {
+        (c, b)
+    } else {
+        (b, c)
+    };
     let faces = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]];
     Some(faces.map(|corners| Face::new(points, corners)).to_vec())
 }

@@ -309,3 +309,135 @@ impl Shape {
         (moved, pose)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::shape::{Hull, Mesh, Part, Shape};
+    use glam::DVec3;
+    use simbeeotic_units::Attitude;
+    use std::sync::Arc;
+
+    fn corners(h: DVec3, at: DVec3) -> Vec<DVec3> {
+        let side = |k: i32, bit: i32| if k & bit == 0 { -1.0 } else { 1.0 };
+        (0..8)
+            .map(|k| at + h * DVec3::new(side(k, 1), side(k, 2), side(k, 4)))
+            .collect()
+    }
+
+    fn assert_near(a: DVec3, b: DVec3) {
+        assert!(
+            a.distance(b) < 1e-12 * (1.0 + b.length()),
+            "{a} instead of {b}"
+        );
+    }
+
+    #[test]
+    fn closed_forms() {
+        let (radius_m, half_height_m) = (0.3, 0.5);
+        let of = |shape: Shape| shape.mass_properties(2.0).unwrap();
+        let sphere = of(Shape::Sphere { radius_m });
+        assert_near(sphere.moments_kg_m2, DVec3::splat(0.4 * 2.0 * 0.09));
+        let cylinder = of(Shape::Cylinder {
+            radius_m,
+            half_height_m,
+        });
+        let across = 2.0 * (3.0 * 0.09 + 1.0) / 12.0;
+        assert_near(cylinder.moments_kg_m2, DVec3::new(across, across, 0.09));
+        let cone = of(Shape::Cone {
+            radius_m,
+            half_height_m,
+        });
+        assert_near(cone.centre_m, DVec3::new(0.0, 0.0, -0.25));
+        let across = 2.0 * 3.0 / 80.0 * (4.0 * 0.09 + 1.0);
+        assert_near(cone.moments_kg_m2, DVec3::new(across, across, 0.6 * 0.09));
+        // A capsule without a straight part is a ball; one without a radius is a rod.
+        let round = of(Shape::Capsule {
+            radius_m,
+            half_height_m: 1e-15,
+        });
+        assert_near(round.moments_kg_m2, sphere.moments_kg_m2);
+        let rod = of(Shape::Capsule {
+            radius_m: 1e-9,
+            half_height_m,
+        });
+        let across = 2.0 / 12.0;
+        assert!((rod.moments_kg_m2.x - across).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_box_is_a_box_however_it_is_given() {
+        let half_m = DVec3::new(0.1, 0.2, 0.3);
+        let at = DVec3::new(5.0, -7.0, 11.0);
+        let exact = Shape::Box { half_m }.mass_properties(3.0).unwrap();
+        let points_m = corners(half_m, at);
+        let hull = Shape::Hull(Arc::new(Hull {
+            points_m: points_m.clone(),
+        }));
+        let triangles = vec![
+            [0, 2, 1],
+            [1, 2, 3],
+            [4, 5, 6],
+            [5, 7, 6],
+            [0, 1, 4],
+            [1, 5, 4],
+            [2, 6, 3],
+            [3, 6, 7],
+            [0, 4, 2],
+            [2, 4, 6],
+            [1, 3, 5],
+            [3, 7, 5],
+        ];
+        let open = Mesh {
+            points_m: points_m.clone(),
+            triangles: triangles[1..].to_vec(),
+        };
+        let mesh = Shape::Mesh(Arc::new(Mesh {
+            points_m,
+            triangles,
+        }));
+        let halves: [f64; 2] = [-0.15, 0.15];
+        let half = |z: f64| Part {
+            offset_m: at + DVec3::new(0.0, 0.0, z),
+            attitude: Attitude::IDENTITY,
+            shape: Shape::Box {
+                half_m: DVec3::new(0.1, 0.2, 0.15),
+            },
+        };
+        let compound = Shape::Compound(halves.map(half).into());
+        for shape in [hull, mesh, compound] {
+            let mass = shape.mass_properties(3.0).unwrap();
+            assert_near(mass.centre_m, at);
+            assert_near(mass.moments_kg_m2, exact.moments_kg_m2);
+            let (centred, pose) = shape.centred();
+            assert_near(pose.position.si(), at);
+            let mass = centred.mass_properties(3.0).unwrap();
+            assert!(mass.centre_m.length() < 1e-12);
+            assert_near(mass.moments_kg_m2, exact.moments_kg_m2);
+            assert_near(centred.inertia_kg_m2(3.0), exact.moments_kg_m2);
+        }
+        assert!(Shape::Mesh(Arc::new(open)).mass_properties(3.0).is_none());
+    }
+
+    #[test]
+    fn a_turned_solid_comes_back_upright() {
+        let half_m = DVec3::new(0.1, 0.2, 0.3);
+        let turn = crate::rotation::turn_by(DVec3::new(0.3, -0.5, 0.7));
+        let points_m = corners(half_m, DVec3::X)
+            .into_iter()
+            .map(|p| turn * p)
+            .collect();
+        let (centred, _) = Shape::Hull(Arc::new(Hull { points_m })).centred();
+        let mass = centred.mass_properties(1.0).unwrap();
+        assert!(
+            mass.axes.quat().abs_diff_eq(glam::DQuat::IDENTITY, 1e-9),
+            "{mass:?}"
+        );
+        let mut found = mass.moments_kg_m2.to_array();
+        found.sort_by(f64::total_cmp);
+        let exact = Shape::Box { half_m }.inertia_kg_m2(1.0);
+        assert_near(
+            DVec3::from_array(found),
+            DVec3::new(exact.z, exact.y, exact.x),
+        );
+    }
+}

@@ -2,8 +2,8 @@
 //! (`form`).
 
 mod check;
-pub(crate) mod convert;
 mod collider;
+pub(crate) mod convert;
 mod convex;
 pub(crate) mod form;
 mod hull;

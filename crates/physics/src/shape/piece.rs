@@ -177,7 +177,12 @@ impl Piece {
     }
 
     /// Where a ray of unit direction first meets it: distance and outward normal.
-    pub(crate) fn cast_ray(&self, at: Place, from: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
+    pub(crate) fn cast_ray(
+        &self,
+        at: Place,
+        from: DVec3,
+        direction: DVec3,
+    ) -> Option<(f64, DVec3)> {
         let stands = self.stands(Place {
             p: DVec3::ZERO,
             q: at.q,

@@ -183,7 +183,11 @@ fn triangle(corners: &[DVec3; 3], from: DVec3, direction: DVec3) -> Option<Hit> 
         return None;
     }
     let normal = ab.cross(ac).try_normalize()?;
-    let facing = if normal.dot(direction) > 0.0 { -normal } else { normal };
+    let facing = if normal.dot(direction) > 0.0 {
+        -normal
+    } else {
+        normal
+    };
     Some((at, facing))
 }
 
@@ -233,11 +237,19 @@ mod tests {
         let solids = [
             (Convex::Point, 0.7),
             (Convex::Segment { half }, 0.4),
-            (Convex::Block { half: DVec3::new(0.3, 0.6, 0.9) }, 0.0),
+            (
+                Convex::Block {
+                    half: DVec3::new(0.3, 0.6, 0.9),
+                },
+                0.0,
+            ),
             (Convex::Cylinder { radius, half }, 0.0),
             (Convex::Cone { radius, half }, 0.0),
             (Convex::Hull(Arc::new(hull(&corners).unwrap())), 0.0),
-            (Convex::Triangle([DVec3::X, DVec3::Y, DVec3::new(-1.0, -1.0, 0.5)]), 0.0),
+            (
+                Convex::Triangle([DVec3::X, DVec3::Y, DVec3::new(-1.0, -1.0, 0.5)]),
+                0.0,
+            ),
         ];
         let mut stream = Stream::new(1, "rays", "test");
         let (mut hits, mut misses) = (0, 0);
@@ -251,7 +263,10 @@ mod tests {
                 (Some(exact), Some(marched)) => {
                     hits += 1;
                     // A ray that grazes ends its march early.
-                    assert!(exact >= marched - 1e-9 && exact < marched + 1e-3, "{solid:?} {exact} {marched}");
+                    assert!(
+                        exact >= marched - 1e-9 && exact < marched + 1e-3,
+                        "{solid:?} {exact} {marched}"
+                    );
                 }
                 (Some(exact), None) => panic!("{solid:?} {exact}"),
                 (None, Some(at)) => {

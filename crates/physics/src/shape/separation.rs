@@ -24,12 +24,14 @@ use parry3d_f64::query::gjk::{GJKResult, VoronoiSimplex};
 
 /// How far the solids are moved apart for the search, over their size.
 const SHIFT: f64 = 0.05;
+/// The same, at the end.
+const SHIFT_MIN: f64 = 1e-3;
 /// Difference of bounds, over the size, below which a distance is good.
 const PRECISION: f64 = 1e-10;
 /// The same, over the distance.
 const PRECISION_RELATIVE: f64 = 1e-7;
 /// Most repetitions of the search.
-const STEPS_MAX: usize = 12;
+const STEPS_MAX: usize = 16;
 
 /// Two solids, the second at a place in the first's frame.
 struct Pair<'a> {
@@ -115,7 +117,11 @@ impl Pair<'_> {
                 };
             }
             if gain <= PRECISION * size {
-                break;
+                if factor <= SHIFT_MIN {
+                    break;
+                }
+                // A nearer start for the search: less precise, but a longer step.
+                factor *= 0.1;
             }
         }
         best

@@ -8,6 +8,7 @@ use glam::DVec3;
 use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhLeafCost, BvhNode};
 use parry3d_f64::query::Ray;
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// Edge of a block of cells of a height field that is one leaf, in cells.
@@ -213,12 +214,14 @@ impl Soup {
         // Of several that overlap the deepest counts: none of them is left out.
         let cost = |distance: f64| if distance > 0.0 { distance } else { f64::MIN };
         let of_leaf = |leaf, best: f64| {
+            let limit = Cell::new(best.max(0.0));
             let mut least: Option<Gap> = None;
-            let wanted = |piece| apart(piece, bounds) <= best.max(0.0);
+            let wanted = |piece| apart(piece, bounds) <= limit.get();
             self.source.visit(leaf, wanted, &mut |piece| {
                 let gap = gap(piece);
                 if least.is_none_or(|least| gap.distance < least.distance) {
                     least = Some(gap);
+                    limit.set(gap.distance.clamp(0.0, limit.get()));
                 }
             });
             least.map(|gap| Least(gap.distance, gap))

@@ -12,6 +12,7 @@ mod original;
 mod pairs;
 mod piles;
 mod properties;
+mod queries;
 mod refusal;
 mod rotation;
 mod shapes;

@@ -169,7 +169,7 @@ fn bodies_that_cannot_be_are_refused() {
             ..good.clone()
         },
         BodySpec {
-            shape: Shape::Box { half_m: DVec3::ONE },
+            shape: Shape::Plane,
             ..good.clone()
         },
         BodySpec {
