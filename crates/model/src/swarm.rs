@@ -72,11 +72,7 @@ pub struct Own {
     pub(crate) jumped: bool,
 }
 
-/// What a model does to others.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "nearly all effects are motions: a box each would cost more"
-)]
+/// What a model does to others. Nearly all effects are motions: a box each would cost more.
 pub enum Effect {
     /// Its own body moves differently from now on.
     Motion(Motion),
