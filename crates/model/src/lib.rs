@@ -46,7 +46,7 @@ mod watch;
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
 pub use energy::{Accounts, Consumer};
-pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Station};
+pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Station};
 pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
@@ -75,7 +75,7 @@ pub use simbeeotic_world as world;
 /// What a file with a behaviour in it wants to see.
 pub mod prelude {
     pub use crate::check::{at_least_zero, in_range, positive};
-    pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Station};
+    pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Ray, Seen, Station};
     pub use crate::kernel::{ModelId, SimTime, Stream};
     pub use crate::physics::{BodySpec, Contacts, Material, Mobility, Shape, group};
     pub use crate::radio::{Inbox, Packet};

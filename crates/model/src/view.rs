@@ -1,8 +1,10 @@
 //! What sensors and components see: truth, read only.
 
+use crate::host::{Ray, Seen};
 use crate::population::Population;
 use crate::swarm::{Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_physics::BodyError;
 use simbeeotic_units::{Accel, Enu, Flu, Length, Mount, Pose, Twist, Velocity, glam};
 use simbeeotic_world::World;
 
@@ -81,6 +83,16 @@ impl Truth<'_> {
     pub fn neighbors(&self, radius: Length) -> Vec<ModelId> {
         self.swarm
             .neighbors(self.pose.position, radius, self.now, self.host)
+    }
+
+    /// What each ray meets first, as the instant began; the host itself is transparent. Fit for
+    /// [`Mount`]s: a ray from the sensor's own pose.
+    ///
+    /// # Errors
+    /// A ray that is none: a number that is not finite, no direction, no range.
+    pub fn cast_rays(&self, rays: &[Ray]) -> Result<Vec<Option<Seen>>, BodyError> {
+        let host = self.swarm.body_of(self.host);
+        self.swarm.cast_rays(rays, self.now, host)
     }
 
     /// The world's objects.

@@ -10,10 +10,22 @@ use crate::error::{self, BodyError};
 use crate::limits;
 use crate::motion::{Motion, Spin};
 use crate::rotation;
+use crate::shape::Shape;
 use crate::support::Support;
 use glam::DVec3;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::Attitude;
+
+/// The bounding radius to 24 bits: a ball's to the nearest, others' rounded up, so that it still bounds.
+fn bounding_radius(shape: &Shape) -> f32 {
+    let exact = shape.bounding_radius_m();
+    let radius = exact as f32;
+    if f64::from(radius) < exact && !matches!(shape, Shape::Sphere { .. }) {
+        radius.next_up()
+    } else {
+        radius
+    }
+}
 
 impl Motion {
     /// The segment that a checked `spec` begins with. `friction` is that between body and ground.
@@ -31,7 +43,7 @@ impl Motion {
             t0: SimTime::ZERO,
             p: spec.p_enu,
             v: moving(spec.v_enu),
-            radius: spec.shape.bounding_radius_m() as f32,
+            radius: bounding_radius(&spec.shape),
             stamp: 0,
             a: DVec3::new(0.0, 0.0, -gravity),
             q: rotation::unit(spec.attitude.quat()),

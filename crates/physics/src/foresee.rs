@@ -4,7 +4,6 @@
 //! put into the queue in the order of the bodies, whoever found it: and the queue would sort it anyway.
 
 use crate::approach::Side;
-use crate::body::Mobility;
 use crate::motion::Motion;
 use crate::physics::{Physics, duty};
 use crate::predict::{self, Passage, Search};
@@ -159,14 +158,9 @@ impl Physics {
     /// When two bodies meet, unless an island sees to it.
     #[inline]
     pub(crate) fn foresee_pair(&self, pair: (u32, u32), now: SimTime, found: &mut Foreseen) {
-        let in_island = |id: u32| {
-            let motion = &self.motions[id as usize];
-            motion.support == Support::Island || motion.mobility == Mobility::Driven
-        };
-        if in_island(pair.0) && in_island(pair.1) && self.islands.together(pair.0, pair.1) {
-            return;
+        if !self.islands.together(pair.0, pair.1) {
+            self.foresee_passage(pair, now, found);
         }
-        self.foresee_passage(pair, now, found);
     }
 
     /// When two meet, or part.

@@ -34,9 +34,9 @@ use glam::DVec3;
 use rapier3d_f64::dynamics::RigidBodyHandle;
 use simbeeotic_kernel::SimTime;
 
-/// A change of course that takes a member farther than this from where it was to be at the end of the
-/// step cuts the step short, m.
-const ASTRAY_M: f64 = 5e-4;
+/// A change of course that takes a member farther than this share of its radius from where it was to be
+/// at the end of the step cuts the step short.
+const ASTRAY: f64 = 0.02;
 /// No slot: the body is in no island.
 const NOWHERE: u32 = u32::MAX;
 
@@ -379,7 +379,7 @@ impl Physics {
             } else {
                 self.islands.wake(slot, t);
             }
-        } else if member.body.is_some() && astray(led, motion, t) > ASTRAY_M {
+        } else if member.body.is_some() && astray(led, motion, t) > ASTRAY * motion.radius_m() {
             island.cut = true;
             self.islands.wake(slot, t);
         }

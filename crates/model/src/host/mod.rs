@@ -27,6 +27,7 @@ pub use cx::Cx;
 pub use entity::Entity;
 pub(crate) use platform::Gear;
 pub use platform::Platform;
+pub use sight::{Ray, Seen};
 pub use station::Station;
 
 use crate::behavior::BuildError;

@@ -1,7 +1,7 @@
 //! Forces, torques and pushes at points, in both frames; ghosts that are driven from outside.
 
 use crate::swarm::{model, run, setup};
-use simbeeotic_model::host::{Platform, Station};
+use simbeeotic_model::host::{Platform, Ray, Station};
 use simbeeotic_model::kernel::{ModelId, SimTime};
 use simbeeotic_model::physics::{BodySpec, Mobility, Shape};
 use simbeeotic_model::units::glam::DVec3;
@@ -9,7 +9,9 @@ use simbeeotic_model::units::{
     Attitude, ForceVec, ImpulseVec, Length, Offset, Pose, Position, Time, TorqueVec, Twist, V3,
     Velocity, Wrench, Yaw,
 };
-use simbeeotic_model::{Behavior, BuildError, Kit, ModelPlan, Simulation, Touch, behavior, params};
+use simbeeotic_model::{
+    Behavior, BuildError, Kit, ModelPlan, Simulation, Thing, Touch, behavior, params,
+};
 
 /// None.
 #[params]
@@ -350,6 +352,7 @@ impl Asks {
             body.neighbors_of(Position::from_xyz(2.0, 0.0, 5.0), Length::si(0.5)),
             [other]
         );
+        look_around(body, other);
         body.end_run("asked");
     }
 }
@@ -379,4 +382,48 @@ impl Behavior<Station> for AsksNot {
     fn body(params: &NoParams) -> Option<BodySpec> {
         Asks::body(params)
     }
+}
+
+/// Rays to the other, to the ground, past the other, through the own body.
+fn look_around(body: &mut Platform<'_>, other: ModelId) {
+    let ray = |direction, range| Ray {
+        origin: Position::from_xyz(2.0, 3.0, 5.0),
+        direction,
+        range: Length::si(range),
+    };
+    let south = [0.0, -2.0, 0.0];
+    let rays = [
+        ray(south, 10.0),
+        ray(south, 1.0),
+        ray([0.0, 0.0, -1.0], 10.0),
+        ray([0.0, 1.0, 0.0], 10.0),
+    ];
+    let seen = body.cast_rays(&rays);
+    assert_eq!(seen.len(), 4);
+    let first = seen[0].expect("the other is there");
+    assert_eq!(first.thing, Thing::Model(other));
+    let off = first.distance.metres() - (3.0 - RADIUS_M);
+    assert!(off.abs() < 1e-9, "{first:?}");
+    assert!(first.normal[1] > 0.999_999, "{first:?}");
+    assert_eq!((seen[1], seen[3]), (None, None));
+    let ground = seen[2].expect("the ground is there");
+    assert_eq!(
+        (ground.thing, ground.distance),
+        (Thing::Ground, Length::si(5.0))
+    );
+    assert_eq!(body.cast_ray(&rays[0]), seen[0]);
+
+    let probe = Shape::Sphere { radius_m: 0.3 };
+    let here = body.pose();
+    let met = body
+        .cast_shape(&probe, here, south, Length::si(10.0))
+        .expect("the other");
+    assert_eq!(met.thing, Thing::Model(other));
+    assert!(
+        (met.distance.metres() - (3.0 - RADIUS_M - 0.3)).abs() < 1e-6,
+        "{met:?}"
+    );
+    assert_eq!(body.overlapping(&probe, here), []);
+    let there = body.pose_of(other).expect("a body");
+    assert_eq!(body.overlapping(&probe, there), [Thing::Model(other)]);
 }

@@ -2,8 +2,10 @@
 
 use crate::swarm::{model, setup, vehicle};
 use glam::DVec3;
+use simbeeotic_model::config::to_node;
 use simbeeotic_model::host::{Platform, Station};
 use simbeeotic_model::physics::{BodySpec, Material, Shape};
+use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::units::{Attitude, Length, Offset, Pose, Position};
 use simbeeotic_model::world::{Door, Surface};
 use simbeeotic_model::world::{
@@ -13,6 +15,8 @@ use simbeeotic_model::world::{
 use simbeeotic_model::{
     Behavior, BuildError, Kit, ModelPlan, Setup, Simulation, Thing, Touch, behavior, params,
 };
+use simbeeotic_models::vehicle::outline::Outline;
+use simbeeotic_models::vehicle::simple_bee::SimpleBeeParams;
 use std::sync::Arc;
 
 /// A ball of 10 cm without weight that flies to the east at 2 m/s, and ends the run with the words
@@ -379,4 +383,77 @@ fn a_surface_bounces_as_its_numbers_say() {
     // The geometric mean of 1 and 1/4.
     let speed = run.twist("ball").expect("a body").linear.east();
     assert!((speed.metres_per_second() + 1.0).abs() < 1e-9, "{speed}");
+}
+
+/// A bee that lets itself fall, of some shape.
+fn falling(name: &str, params: &SimpleBeeParams, at: [f64; 3]) -> ModelPlan {
+    let part = registry::find(Kind::Vehicle, "simple-bee").expect("the vehicle of the shelf");
+    let Make::Vehicle(make) = part.make else {
+        unreachable!("its kind is vehicle")
+    };
+    ModelPlan {
+        vehicle: Some(make(&to_node(params)).expect("good parameters")),
+        ..vehicle(name, "inert-bee", &[], &[], at)
+    }
+}
+
+#[test]
+fn a_flat_bee_lies_flat_where_it_stood() {
+    let plank = Outline::Box {
+        length: m(0.12),
+        width: m(0.12),
+        height: m(0.03),
+    };
+    let params = SimpleBeeParams {
+        shape: Some(plank),
+        ..SimpleBeeParams::default()
+    };
+    for height in [0.0, 0.5] {
+        let plan = falling("bee", &params, [0.0, 0.0, height]);
+        let mut run = Simulation::new(setup(vec![plan], 5)).expect("it can be put together");
+        let outcome = run.run();
+        assert!(outcome.error.is_none(), "{:?}", outcome.error);
+        let pose = run.pose("bee").expect("a body");
+        let z = pose.position.up().metres();
+        assert!((z - 0.015).abs() < 2e-3, "from {height} m it lies at {z}");
+        assert!(pose.attitude.up().z > 0.999, "{pose:?}");
+    }
+}
+
+#[test]
+fn bees_that_fall_on_a_heap_leave_the_same_trace_on_any_number_of_threads() {
+    let mut world = obstacle(ObstacleShape::Cone {
+        radius: m(2.0),
+        height: m(1.0),
+    });
+    world.obstacles.push(Obstacle {
+        position: Position::from_xyz(2.0, 0.0, 0.0),
+        ..Obstacle::default()
+    });
+    let heap = |threads| {
+        let params = SimpleBeeParams {
+            bee_collisions: true,
+            restitution: 0.3,
+            ..SimpleBeeParams::default()
+        };
+        let bees = (0..120).map(|i| {
+            let (x, y) = (f64::from(i % 10) * 0.3, f64::from(i / 10 % 4) * 0.3);
+            let at = [2.0 + x, y - 0.5, 2.0 + f64::from(i / 40) * 0.4];
+            falling(&format!("bee-{i}"), &params, at)
+        });
+        let setup = Setup {
+            world: Arc::new(world.clone()),
+            threads,
+            ..setup(bees.collect(), 3)
+        };
+        let outcome = Simulation::new(setup)
+            .expect("it can be put together")
+            .run();
+        assert!(outcome.error.is_none(), "{:?}", outcome.error);
+        assert!(outcome.summary.touches > 120, "{}", outcome.summary.touches);
+        outcome.summary.trace_seconds
+    };
+    let one = heap(1);
+    assert_eq!(one, heap(2));
+    assert_eq!(one, heap(3));
 }
