@@ -182,7 +182,7 @@ impl Island {
 /// All islands.
 #[derive(Debug)]
 pub(crate) struct Islands {
-    slots: Vec<Box<Island>>,
+    slots: Vec<Island>,
     vacant: Vec<u32>,
     /// The slot of each body's island.
     places: Vec<u32>,
@@ -212,7 +212,7 @@ impl Islands {
     }
 
     fn island(&self, id: u32) -> Option<&Island> {
-        self.slot(id).map(|slot| &*self.slots[slot as usize])
+        self.slot(id).map(|slot| &self.slots[slot as usize])
     }
 
     /// Whether a body is in an island.
@@ -245,11 +245,11 @@ impl Islands {
     }
 
     /// Lends out the island in `slot`; [`give_back`](Self::give_back) it.
-    fn lend(&mut self, slot: u32) -> Box<Island> {
+    fn lend(&mut self, slot: u32) -> Island {
         std::mem::take(&mut self.slots[slot as usize])
     }
 
-    fn give_back(&mut self, slot: u32, island: Box<Island>) {
+    fn give_back(&mut self, slot: u32, island: Island) {
         if island.members.is_empty() {
             self.vacant.push(slot);
             return;
@@ -263,14 +263,14 @@ impl Islands {
         self.slot(id).unwrap_or_else(|| {
             let mut island = Island::default();
             island.members.push(Member::new(id));
-            self.settle(Box::new(island))
+            self.settle(island)
         })
     }
 
     /// Finds a slot for a new island.
-    fn settle(&mut self, island: Box<Island>) -> u32 {
+    fn settle(&mut self, island: Island) -> u32 {
         let slot = self.vacant.pop().unwrap_or_else(|| {
-            self.slots.push(Box::default());
+            self.slots.push(Island::default());
             self.slots.len() as u32 - 1
         });
         for member in &island.members {
@@ -317,7 +317,7 @@ impl Islands {
         for member in &other.members {
             self.places[member.id as usize] = stays;
         }
-        self.slots[stays as usize].absorb(*other);
+        self.slots[stays as usize].absorb(other);
         stays
     }
 }
@@ -408,7 +408,7 @@ impl Physics {
         }
         for sleepers in self.settled(&mut island, t) {
             changed.extend(sleepers.members.iter().map(|member| member.id));
-            self.islands.settle(Box::new(sleepers));
+            self.islands.settle(sleepers);
         }
         if !island.members.is_empty() {
             self.advance_island(&mut island, t, contacts, changed);

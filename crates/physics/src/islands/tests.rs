@@ -1,5 +1,10 @@
 //! Islands, driven without the queue of `events`.
 
+#![expect(
+    clippy::disallowed_methods,
+    reason = "what is expected of a slope; compared with a tolerance"
+)]
+
 use crate::body::{BodyId, BodySpec, Material, Mobility};
 use crate::contact::Contact;
 use crate::motion::Motion;

@@ -1,5 +1,10 @@
 //! Lasting contact, through the public API: what falls, lies, slides, rolls, stacks and is pushed.
 
+#![expect(
+    clippy::disallowed_methods,
+    reason = "what is expected of a slope; compared with a tolerance"
+)]
+
 use simbeeotic_kernel::SimTime;
 use simbeeotic_physics::{
     BodyId, BodySpec, Config, Contact, Material, Mobility, Motion, Physics, Shape, Support,
