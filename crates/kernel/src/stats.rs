@@ -4,7 +4,7 @@ use crate::rng::mix;
 use std::time::Instant;
 
 /// Rounds with at least this many visits are timed one by one.
-const BIG: usize = 64;
+const BIG: usize = 16;
 /// Of the smaller ones, one in this many: reading the clock six times costs more than the
 /// round itself.
 const ONE_IN: u64 = 64;
@@ -30,7 +30,7 @@ pub struct Stats {
 
 /// Wall time by kind of work, in seconds.
 ///
-/// Rounds of 64 visits or more are timed all; of the smaller ones one in 64, counted 64-fold: these
+/// Rounds of 16 visits or more are timed all; of the smaller ones one in 64, counted 64-fold: these
 /// are estimates, good to some percent after a hundred thousand rounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WallTimes {

@@ -162,10 +162,11 @@ pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
 
 fn print(rows: &[Row]) -> Result<(), Failure> {
     let head = ["obstacles"].into_iter().chain(table::SHARES);
-    table::line(head.chain(["touches", "ratio"]))?;
+    table::line(head.chain(["cpu s", "touches", "ratio"]))?;
     for row in rows {
         let mut columns = vec![row.obstacles.to_string()];
         columns.extend(table::shares(&row.cost));
+        columns.push(table::figure(row.cost.cpu_s, 3));
         columns.push(row.cost.touches.to_string());
         columns.push(format!("{:.2}x", row.physics_ratio));
         table::line(columns.iter().map(String::as_str))?;
