@@ -1,6 +1,6 @@
 //! What is one for all models: channel, weather, world, components.
 
-use super::section::{Section, read};
+use super::section::Section;
 use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
