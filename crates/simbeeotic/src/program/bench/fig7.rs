@@ -81,6 +81,10 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
     print(&rows)?;
     table::method(common.repeat);
     if options.threads.len() > 1 {
+        remark(
+            "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
+             number of free processors can make it",
+        );
         remark(format!(
             "trace hashes are equal for {} threads",
             options
@@ -176,12 +180,13 @@ fn agree(rows: &[Row]) -> Result<(), Failure> {
 
 fn print(rows: &[Row]) -> Result<(), Failure> {
     let head = ["n", "threads"].into_iter().chain(table::SHARES);
-    table::line(head.chain(["gain", "cpu s", "us/bee/s", "KiB/bee"]))?;
+    table::line(head.chain(["gain", "cpu s", "busiest", "us/bee/s", "KiB/bee"]))?;
     for row in rows {
         let mut columns = vec![row.n.to_string(), row.threads.to_string()];
         columns.extend(table::shares(&row.cost));
         columns.push(format!("{:.2}x", row.gain));
         columns.push(table::figure(row.cost.cpu_s, 3));
+        columns.push(table::figure(row.cost.busiest_thread_s, 3));
         columns.push(table::figure(row.cpu_us_per_bee_s, 2));
         columns.push(table::figure(row.memory_kib_per_bee, 2));
         table::line(columns.iter().map(String::as_str))?;

@@ -1,5 +1,8 @@
 //! What the operating system counts: processor time and memory of this process.
 
+use std::collections::BTreeMap;
+use std::fs::DirEntry;
+
 /// Processor time that all threads of this process have used, in user and in system mode, s. `None`
 /// where there is no such clock.
 pub(super) fn cpu_s() -> Option<f64> {
@@ -11,6 +14,33 @@ pub(super) fn cpu_s() -> Option<f64> {
     }
     #[cfg(not(unix))]
     None
+}
+
+/// Processor time of each living thread of this process, s, by its number; empty where there is no
+/// `/proc`. The kernel brings it up to date every few milliseconds.
+pub(super) fn threads_cpu_s() -> BTreeMap<String, f64> {
+    let Ok(tasks) = std::fs::read_dir("/proc/self/task") else {
+        return BTreeMap::new();
+    };
+    let used = |task: DirEntry| {
+        let nanos = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
+        let nanos: f64 = nanos.split(' ').next()?.parse().ok()?;
+        Some((
+            task.file_name().to_string_lossy().into_owned(),
+            nanos * 1e-9,
+        ))
+    };
+    tasks.flatten().filter_map(used).collect()
+}
+
+/// Of the threads that live now, what the busiest has used since `before`, s. However free the
+/// processors are, the work between the two cannot have taken less.
+pub(super) fn busiest_since(before: &BTreeMap<String, f64>) -> Option<f64> {
+    let since = |(thread, now)| now - before.get(&thread).copied().unwrap_or(0.0);
+    threads_cpu_s()
+        .into_iter()
+        .map(since)
+        .max_by(f64::total_cmp)
 }
 
 /// The most memory that this process ever held at once (`VmHWM`), bytes. `None` where there is no
@@ -37,6 +67,19 @@ mod tests {
         assert_eq!(peak_of(status), Some(12_288.0));
         assert_eq!(peak_of("VmHWM:\t12 pages\n"), None);
         assert_eq!(peak_of(""), None);
+    }
+
+    #[test]
+    fn one_thread_cannot_use_more_than_all() {
+        let (all, each) = (cpu_s(), threads_cpu_s());
+        std::hint::black_box((0..1_000_000).fold(0_u64, |a, b| a.rotate_left(7) ^ b));
+        if let (Some(before), Some(busiest)) = (all, busiest_since(&each)) {
+            let used = cpu_s().expect("it was there") - before;
+            assert!(
+                (0.0..=used + 0.05).contains(&busiest),
+                "{busiest} of {used}"
+            );
+        }
     }
 
     #[test]

@@ -96,6 +96,7 @@ mod tests {
             wall_s,
             speed: 1.0 / wall_s,
             cpu_s: None,
+            busiest_thread_s: None,
             virtual_s: 1.0,
             events: 0,
             touches: 0,

@@ -83,6 +83,9 @@ pub(super) struct Cost {
     pub(super) speed: f64,
     /// Processor time of all threads, in user and in system mode.
     pub(super) cpu_s: Option<f64>,
+    /// Processor time of the thread that used most: with a processor for each thread, a run cannot
+    /// take less.
+    pub(super) busiest_thread_s: Option<f64>,
     pub(super) virtual_s: f64,
     pub(super) events: u64,
     pub(super) touches: u64,
@@ -99,8 +102,13 @@ impl Cost {
         keep(&mut self.other_s, other.other_s);
         keep(&mut self.wall_s, other.wall_s);
         self.speed = self.speed.max(other.speed);
-        if let (Some(mine), Some(theirs)) = (&mut self.cpu_s, other.cpu_s) {
-            keep(mine, theirs);
+        for (mine, theirs) in [
+            (&mut self.cpu_s, other.cpu_s),
+            (&mut self.busiest_thread_s, other.busiest_thread_s),
+        ] {
+            if let (Some(mine), Some(theirs)) = (mine, theirs) {
+                keep(mine, theirs);
+            }
         }
     }
 }
@@ -119,9 +127,10 @@ pub(super) fn run(
         ..setup
     };
     let mut simulation = Simulation::new(setup).map_err(|e| input::setup_failure(loaded, e))?;
-    let begun = process::cpu_s();
+    let (begun, threads_begun) = (process::cpu_s(), process::threads_cpu_s());
     let outcome = simulation.run();
     let cpu_s = process::cpu_s().zip(begun).map(|(now, begun)| now - begun);
+    let busiest_thread_s = process::busiest_since(&threads_begun);
     if let Some(error) = outcome.error {
         return Err(Failure::run(error));
     }
@@ -134,6 +143,7 @@ pub(super) fn run(
         wall_s: summary.wall_s,
         speed: summary.speed,
         cpu_s,
+        busiest_thread_s,
         virtual_s: summary.virtual_s,
         events: summary.events,
         touches: summary.touches,
@@ -154,6 +164,7 @@ mod tests {
             wall_s,
             speed: 10.0 / wall_s,
             cpu_s,
+            busiest_thread_s: None,
             virtual_s: 10.0,
             events: 7,
             touches: 0,
