@@ -337,8 +337,12 @@ impl Lists {
 
     /// Appends every listed body that can be within `radius` of `p`, some twice.
     pub(crate) fn around(&self, p: DVec3, radius: f64, found: &mut Vec<u32>) {
-        self.grid
-            .around(p, radius + self.common_reach, |item| found.push(item.id));
+        self.grid.around(p, radius + self.common_reach, |item| {
+            let touch = radius + item.reach();
+            if item.centre.distance_squared(p) <= touch * touch {
+                found.push(item.id);
+            }
+        });
         found.extend_from_slice(&self.big);
         found.extend_from_slice(&self.relisted);
     }

@@ -4,7 +4,7 @@
 //! change nothing: many threads may ask at once. An answer is the same as if all bodies were looked at
 //! one by one; [`sight`](crate::sight) finds those few that have to be.
 //!
-//! The tree of `sight` costs about 0.1 us a body once each `list_period` in which there is a query; in
+//! The tree of `sight` costs about 0.2 us a body once each `list_period` in which there is a query; in
 //! return a query costs what there is along its way, for bodies of any sizes and any distances between.
 
 use crate::body::{BodyId, group};
