@@ -41,3 +41,33 @@ fn the_world_of_the_book_stands_and_bees_of_its_shape_fly_in_it() {
     assert_eq!(call.code, Some(0), "{}\n{scenario}", call.err);
     assert!(!call.err.contains("warning"), "{}", call.err);
 }
+
+#[test]
+fn a_recording_names_the_object_that_was_touched() {
+    let program = Program::new();
+    let scenario = r#"
+        [run]
+        end_time = "2 s"
+        [record]
+        path = "x.mcap"
+        [[model]]
+        use = "inert-bee"
+        name = "bee"
+        start = ["4 m", "0 m", "2 m"]
+        [[world.obstacle]]
+        position = ["4 m", "0 m", "0 m"]
+        shape = { box = {} }
+        label = "tower"
+    "#;
+    program.write("x.toml", scenario);
+    let call = program.call(&["run", "x.toml", "--quiet"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let recording = simbeeotic_record::Recording::open(program.path("x.mcap")).expect("it reads");
+    let first = recording.events().next().expect("it fell on it");
+    let first = first.expect("it reads");
+    assert_eq!(
+        (first.kind.as_str(), first.text.as_str()),
+        ("contact", "obstacle.0 tower")
+    );
+    assert_eq!(first.paths, ["bee"]);
+}
