@@ -55,7 +55,8 @@ struct Row {
     /// Processor time for each bee and virtual second, us.
     cpu_us_per_bee_s: Option<f64>,
     /// Growth of the process's greatest memory by this swarm, for each bee, KiB; of the first run, and
-    /// with the first number of threads.
+    /// with the first number of threads. What smaller swarms have left behind counts too: for a figure
+    /// to hold a limit against, ask for one swarm alone.
     memory_kib_per_bee: Option<f64>,
     /// Wall time with the first number of threads over that with this one.
     gain: f64,
