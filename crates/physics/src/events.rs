@@ -206,7 +206,8 @@ impl Physics {
         let pair = (a, b);
         let spot = match b {
             GROUND => Spot::on_ground(self.side(a), time),
-            _ => Spot::between(self.side(a), self.side(b), time),
+            _ if self.goes_first(a, b) => Spot::between(self.side(a), self.side(b), time),
+            _ => Spot::between(self.side(b), self.side(a), time).flipped(),
         };
         if self.contact_of(a, b) != Contacts::Respond {
             // What only detects keeps its stamp, so the same meeting may have been predicted twice.

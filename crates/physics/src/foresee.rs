@@ -178,15 +178,18 @@ impl Physics {
                 .inside_since(pair)
                 .is_some_and(|since| since < origin)
             && predict::apart(side_a, side_b, origin);
+        let until = self.islands.until(a).min(self.islands.until(b));
         let search = Search {
             passage,
             origin: from,
             now,
-            horizon: self.horizon,
+            horizon: self.horizon.min(until),
+            until,
         };
         let time = match side_b {
             _ if jumped => Some(now),
-            Some(side_b) => predict::pair_passage(side_a, side_b, &search),
+            Some(side_b) if self.goes_first(a, b) => predict::pair_passage(side_a, side_b, &search),
+            Some(side_b) => predict::pair_passage(side_b, side_a, &search),
             None => predict::ground_passage(side_a, &search),
         };
         if let Some(time) = time {
@@ -202,6 +205,19 @@ impl Physics {
                 stamps: [side_a.motion.stamp, stamp_b],
             });
         }
+    }
+
+    /// Whether of two bodies `a` is the one that is seen from.
+    #[inline]
+    pub(crate) fn goes_first(&self, a: u32, b: u32) -> bool {
+        self.rank(a) < self.rank(b)
+    }
+
+    /// Decides who of several comes first where that shows in the last bits of a result: not their numbers,
+    /// which depend on who was added first, but where they began.
+    #[inline]
+    pub(crate) fn rank(&self, id: u32) -> (u64, u32) {
+        (self.origins[id as usize], id)
     }
 
     /// A body as a search sees it.

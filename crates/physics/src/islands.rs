@@ -225,6 +225,13 @@ impl Islands {
         self.slot(a).is_some_and(|slot| self.slot(b) == Some(slot))
     }
 
+    /// When a body begins a new segment because its island takes a step; never, if it is in none.
+    pub(crate) fn until(&self, id: u32) -> SimTime {
+        self.island(id)
+            .and_then(|island| island.next)
+            .unwrap_or(SimTime::MAX)
+    }
+
     /// Whether a step of the island known by `key` is due at `time`: else, the entry is void.
     pub(crate) fn due(&self, key: u32, time: SimTime) -> bool {
         self.island(key)
@@ -299,17 +306,14 @@ impl Islands {
         self.announce(slot);
     }
 
-    /// Two islands become one: the one without a world, else the smaller, else that with the higher
-    /// key goes into the other, whose slot is returned.
-    fn merge(&mut self, a: u32, b: u32) -> u32 {
+    /// Two islands become one: the one without a world, else the smaller, else that of the least
+    /// origin goes into the other, whose slot is returned.
+    fn merge(&mut self, a: u32, b: u32, origins: &[u64]) -> u32 {
         let rank = |slot: u32| {
             let island = &self.slots[slot as usize];
             let size = island.members.len();
-            (
-                island.world.is_some(),
-                size,
-                std::cmp::Reverse(island.key()),
-            )
+            let began = island.members.iter().map(|m| origins[m.id as usize]);
+            (island.world.is_some(), size, began.max(), slot)
         };
         let (stays, goes) = if rank(a) > rank(b) { (a, b) } else { (b, a) };
         let other = self.lend(goes);
@@ -345,7 +349,9 @@ impl Physics {
             }
             let slot = self.islands.slot_of(id);
             common = match common {
-                Some(other) if other != slot => Some(self.islands.merge(other, slot)),
+                Some(other) if other != slot => {
+                    Some(self.islands.merge(other, slot, &self.origins))
+                }
                 _ => Some(slot),
             };
         }

@@ -161,6 +161,20 @@ pub(crate) struct Outline {
     pub(crate) form: Form,
 }
 
+/// Where a body begins, and how it moves there, as one word.
+fn origin_of(spec: &BodySpec) -> u64 {
+    let numbers = [
+        spec.p_enu.to_array(),
+        spec.v_enu.to_array(),
+        spec.w_flu.to_array(),
+    ];
+    numbers.as_flattened().iter().fold(0, |word, number| {
+        (word ^ number.to_bits())
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            .rotate_left(29)
+    })
+}
+
 /// All bodies, and the contacts between them.
 ///
 /// # How an engine uses it
@@ -199,6 +213,8 @@ pub struct Physics {
     /// Every shape there is, once; and which of them each body has.
     pub(crate) outlines: Vec<Outline>,
     pub(crate) outline_of: Vec<u32>,
+    /// Where each body began, as one word.
+    pub(crate) origins: Vec<u64>,
     /// When a review of each body is in the queue; [`SimTime::MAX`] if none is.
     pub(crate) reviews: Vec<SimTime>,
 
@@ -277,6 +293,7 @@ impl Physics {
             materials: Vec::new(),
             outlines: Vec::new(),
             outline_of: Vec::new(),
+            origins: Vec::new(),
             reviews: Vec::new(),
             lists: Lists::default(),
             queue: Queue::default(),
@@ -331,6 +348,7 @@ impl Physics {
         self.filters.push(Filter::new(&spec));
         self.materials.push(spec.material);
         self.outline_of.push(outline);
+        self.origins.push(origin_of(&spec));
         self.reviews.push(SimTime::MAX);
         self.dirty.push(id);
         self.grown = true;

@@ -39,6 +39,8 @@ pub(crate) struct Search {
     pub(crate) now: SimTime,
     /// What comes later may be missed.
     pub(crate) horizon: SimTime,
+    /// When one of the two begins a new segment anyway, being stepped; after the horizon if none is.
+    pub(crate) until: SimTime,
 }
 
 /// Squared distance of two balls' centres less that at touch, with time counted from `from`.
@@ -142,7 +144,7 @@ fn ball_ground_passage(body: &Motion, search: &Search) -> Option<SimTime> {
 fn forms_passage(a: Side<'_>, b: Option<Side<'_>>, search: &Search) -> Option<SimTime> {
     match search.passage {
         Passage::In => windows(search)
-            .find_map(|(from, to)| approach::meets(a, b, from, to))
+            .find_map(|(from, to)| approach::meets(a, b, from, to.min(search.until)))
             .map(|t| t.max(search.now)),
         Passage::Out => {
             let first = (search.origin.max(search.now).nanos() >> LOOK_LOG2) + 1;

@@ -70,6 +70,14 @@ impl Spot {
         }
     }
 
+    /// The same, seen from the second.
+    pub(crate) fn flipped(self) -> Self {
+        Self {
+            normal: -self.normal,
+            ..self
+        }
+    }
+
     /// Where a body touches the ground at `t`, or comes nearest to it.
     pub(crate) fn on_ground(a: Side<'_>, t: SimTime) -> Self {
         let ball = a.form.ball().is_some();

@@ -248,7 +248,8 @@ impl Physics {
     fn take_in(&self, island: &mut Island, world: &mut World, t: SimTime) -> Vec<Sweep> {
         let cut = island.cut;
         let mut sweeps = Vec::with_capacity(island.members.len());
-        for member in &mut island.members {
+        let mut newcomers = Vec::new();
+        for (place, member) in island.members.iter_mut().enumerate() {
             let motion = &self.motions[member.id as usize];
             let mut sweep = member.sweep(motion, t);
             if self.upright(member.id) {
@@ -258,11 +259,8 @@ impl Physics {
             sweeps.push(sweep);
             let at = motion.place(t);
             let Some(body) = member.body else {
-                let role = self.role(member.id);
-                let surface = self.surface(member.id);
-                let body = world.add(&surface, self.form(member.id), role, at, sweep);
-                push(world, body, motion, at);
-                (member.body, member.at) = (Some(body), at);
+                newcomers.push(place);
+                member.at = at;
                 continue;
             };
             let changed = member.changed(motion);
@@ -288,6 +286,15 @@ impl Physics {
                 push(world, body, motion, at);
             }
         }
+        newcomers.sort_unstable_by_key(|place| self.rank(island.members[*place].id));
+        for place in newcomers {
+            let member = &mut island.members[place];
+            let (role, surface) = (self.role(member.id), self.surface(member.id));
+            let form = self.form(member.id);
+            let body = world.add(&surface, form, role, member.at, sweeps[place]);
+            push(world, body, &self.motions[member.id as usize], member.at);
+            member.body = Some(body);
+        }
         sweeps
     }
 
@@ -309,14 +316,17 @@ impl Physics {
         }
         near.sort_unstable();
         near.dedup();
-        for id in near {
-            let responds = self.duties[id as usize] & duty::RESPONDS != 0;
-            if let (true, Err(index)) = (responds, island.fixed.binary_search(&id)) {
-                island.fixed.insert(index, id);
-                let at = self.motions[id as usize].place(SimTime::ZERO);
-                world.add_fixed(&self.surface(id), self.form(id), at);
-            }
+        near.retain(|id| {
+            let responds = self.duties[*id as usize] & duty::RESPONDS != 0;
+            responds && island.fixed.binary_search(id).is_err()
+        });
+        near.sort_unstable_by_key(|id| self.rank(*id));
+        for &id in &near {
+            let at = self.motions[id as usize].place(SimTime::ZERO);
+            world.add_fixed(&self.surface(id), self.form(id), at);
         }
+        island.fixed.append(&mut near);
+        island.fixed.sort_unstable();
     }
 
     fn surface(&self, id: u32) -> Surface {
