@@ -41,9 +41,9 @@ const TOUCH: f64 = 1e-10;
 /// The same, at which the true rate gives the instant if nothing else changes until then.
 const NEAR: f64 = 1e-7;
 /// Evaluations after which the least step doubles with each one.
-const STEPS_EXACT: u32 = 60;
+const STEPS_EXACT: u32 = 300;
 /// Most evaluations of one search.
-const STEPS_MAX: u32 = 110;
+const STEPS_MAX: u32 = 350;
 /// The least step, s.
 const STEP_S_MIN: f64 = 0.5e-9;
 

@@ -115,6 +115,9 @@ impl Pair<'_> {
                     here: found.here,
                     there: found.there - shift,
                 };
+            } else if gain > -PRECISION * size {
+                // The direction of a face is known from the start; the points are not.
+                (best.here, best.there) = (found.here, found.there - shift);
             }
             if gain <= PRECISION * size {
                 if factor <= SHIFT_MIN {
