@@ -279,7 +279,7 @@ pub(crate) fn collide(
         normal: spot.normal,
         relative_velocity: velocity,
         impulse,
-        lasts: (pressed || stepped) && parting <= PARTING_SPEED_M_S,
+        lasts: (pressed || stepped || !spot.central) && parting <= PARTING_SPEED_M_S,
     }
 }
 

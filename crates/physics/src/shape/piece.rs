@@ -5,7 +5,7 @@
 
 use super::convex::{Convex, Nearest};
 use super::form::{Gap, Place};
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 /// One convex part of a form.
 #[derive(Clone, Debug)]
@@ -121,6 +121,15 @@ impl Piece {
 
     /// Least and greatest corner of the box about it, ENU, m.
     pub(crate) fn bounds(&self, at: Place) -> [DVec3; 2] {
+        if let Convex::Block { half } = self.core {
+            let Place { p, q } = self.stands(at);
+            let axes = DMat3::from_quat(q);
+            let reach = axes.x_axis.abs() * half.x
+                + axes.y_axis.abs() * half.y
+                + axes.z_axis.abs() * half.z
+                + self.margin;
+            return [p - reach, p + reach];
+        }
         let reach = |axis: DVec3| axis.dot(self.support(at.q, axis)) + self.margin;
         let most = DVec3::new(reach(DVec3::X), reach(DVec3::Y), reach(DVec3::Z));
         let least = DVec3::new(
