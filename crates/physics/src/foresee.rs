@@ -178,7 +178,14 @@ impl Physics {
                 .inside_since(pair)
                 .is_some_and(|since| since < origin)
             && predict::apart(side_a, side_b, origin);
-        let until = self.islands.until(a).min(self.islands.until(b));
+        // Beyond the end of a segment nothing has to be known.
+        let ends = |motion: &Motion| review_due(motion).unwrap_or(SimTime::MAX);
+        let until = self
+            .islands
+            .until(a)
+            .min(self.islands.until(b))
+            .min(ends(side_a.motion))
+            .min(side_b.map_or(SimTime::MAX, |b| ends(b.motion)));
         let search = Search {
             passage,
             origin: from,
