@@ -109,7 +109,7 @@ fn outcome(specs: &[BodySpec], order: &[usize], threads: usize, s: f64) -> Outco
         for (name, id) in ids.iter().enumerate() {
             let push = stream.in_ball(1.0);
             let mut motion = *physics.motion(*id);
-            if (name as u32 + tick) % 3 == 0 && motion.mobility() == Mobility::Free {
+            if (name as u32 + tick).is_multiple_of(3) && motion.mobility() == Mobility::Free {
                 motion.set_force(t, push).unwrap();
                 physics.commit(*id, t, motion);
             }

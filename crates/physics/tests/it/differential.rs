@@ -27,6 +27,7 @@ use rapier3d_f64::math::{Pose, Rotation, Vector};
 use rapier3d_f64::pipeline::PhysicsWorld;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_physics::{BodySpec, Mobility, Shape};
+use simbeeotic_units::Attitude;
 use simbeeotic_units::glam::{DQuat, DVec3};
 use std::collections::BTreeMap;
 
@@ -288,6 +289,12 @@ struct Tally {
     ties: usize,
 }
 
+/// The angle between two attitudes, rad.
+fn turn(a: DQuat, b: DQuat) -> f64 {
+    let [a, b] = [a, b].map(Attitude::from_unit_quat);
+    a.angle_to(b).get()
+}
+
 /// All of a pair but the ground.
 fn bodies(pair: (usize, usize)) -> impl Iterator<Item = usize> {
     [pair.0, pair.1].into_iter().filter(|k| *k != GROUND)
@@ -307,7 +314,7 @@ impl<'a> Judge<'a> {
     fn new(specs: &'a [BodySpec], here: &Record, there: &Record) -> Self {
         let radius = |k: usize| specs[k].shape.bounding_radius_m();
         let differ = |k: usize, a: (DVec3, DQuat), b: (DVec3, DQuat)| {
-            a.0.distance(b.0) + radius(k) * a.1.angle_between(b.1)
+            a.0.distance(b.0) + radius(k) * turn(a.1, b.1)
         };
         let apart: Vec<Vec<f64>> = (0..=STEPS)
             .map(|step| {
