@@ -64,9 +64,11 @@ impl Accounts {
         Charge::si(self.0[consumer as usize])
     }
 
-    /// A word of it, for having its memory fetched early; what it is does not matter.
+    /// Its last word, for having the cache line fetched early that holds most of it; what the word is
+    /// does not matter.
     pub(crate) fn touch(&self) -> u64 {
-        self.0[0].to_bits()
+        let [.., last] = self.0;
+        last.to_bits()
     }
 
     /// What all consumers have drawn together.

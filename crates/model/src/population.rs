@@ -4,10 +4,10 @@ use simbeeotic_kernel::{ModelId, rng::path_key};
 use std::collections::BTreeMap;
 
 /// One model of the population.
-#[derive(Clone, Debug)]
-pub struct Member {
+#[derive(Clone, Copy, Debug)]
+pub struct Member<'a> {
     /// Its path: `bee-17`, or `hive/bee-17` for a nested model.
-    pub path: String,
+    pub path: &'a str,
     /// The part it was made from: `instrument-bee`.
     pub kind: &'static str,
     /// The model it is nested in.
@@ -17,44 +17,72 @@ pub struct Member {
 /// All models of a run. Fixed once the run starts; ids count from 0 in the scenario's order.
 #[derive(Clone, Debug, Default)]
 pub struct Population {
-    members: Vec<Member>,
+    entries: Vec<Entry>,
+    /// The paths of all, one after the other: a string each would take 40 bytes more.
+    paths: String,
     /// By the key of the path: a string twice for each of 100,000 models is 6 MB.
     by_key: BTreeMap<u64, ModelId>,
     by_kind: BTreeMap<&'static str, Vec<ModelId>>,
 }
 
+#[derive(Clone, Debug)]
+struct Entry {
+    kind: &'static str,
+    parent: Option<ModelId>,
+    /// Where its path ends.
+    end: u32,
+}
+
 impl Population {
+    /// No models, and room for `count`.
+    pub(crate) fn with_capacity(count: usize) -> Self {
+        Self {
+            entries: Vec::with_capacity(count),
+            ..Self::default()
+        }
+    }
+
     /// Adds a model; `None` if the path is taken.
-    pub(crate) fn add(&mut self, member: Member) -> Option<ModelId> {
-        let id = ModelId(u32::try_from(self.members.len()).ok()?);
-        if self.find(&member.path).is_some() {
+    pub(crate) fn add(&mut self, member: Member<'_>) -> Option<ModelId> {
+        let Member { path, kind, parent } = member;
+        let id = ModelId(u32::try_from(self.entries.len()).ok()?);
+        let end = u32::try_from(self.paths.len() + path.len()).ok()?;
+        if self.find(path).is_some() {
             return None;
         }
         // Two paths of one key are refused when all are known.
-        self.by_key.entry(path_key(&member.path)).or_insert(id);
-        self.by_kind.entry(member.kind).or_default().push(id);
-        self.members.push(member);
+        self.by_key.entry(path_key(path)).or_insert(id);
+        self.by_kind.entry(kind).or_default().push(id);
+        self.paths.push_str(path);
+        self.entries.push(Entry { kind, parent, end });
         Some(id)
     }
 
     /// How many there are.
     pub const fn len(&self) -> usize {
-        self.members.len()
+        self.entries.len()
     }
 
     /// Whether there is none.
     pub const fn is_empty(&self) -> bool {
-        self.members.is_empty()
+        self.entries.is_empty()
     }
 
     /// The model with this id.
-    pub fn get(&self, id: ModelId) -> Option<&Member> {
-        self.members.get(id.0 as usize)
+    pub fn get(&self, id: ModelId) -> Option<Member<'_>> {
+        let entry = self.entries.get(id.index())?;
+        let before = id.index().checked_sub(1);
+        let start = before.map_or(0, |before| self.entries[before].end);
+        Some(Member {
+            path: &self.paths[start as usize..entry.end as usize],
+            kind: entry.kind,
+            parent: entry.parent,
+        })
     }
 
     /// The path of a model; empty for an id that is not one.
     pub fn path(&self, id: ModelId) -> &str {
-        self.get(id).map_or("", |m| &m.path)
+        self.get(id).map_or("", |m| m.path)
     }
 
     /// The model at `path`.
@@ -76,11 +104,9 @@ impl Population {
     }
 
     /// All models, by id.
-    pub fn iter(&self) -> impl Iterator<Item = (ModelId, &Member)> {
-        self.members
-            .iter()
-            .enumerate()
-            .map(|(i, m)| (ModelId(i as u32), m))
+    pub fn iter(&self) -> impl Iterator<Item = (ModelId, Member<'_>)> {
+        let ids = (0..self.entries.len() as u32).map(ModelId);
+        ids.filter_map(|id| Some((id, self.get(id)?)))
     }
 }
 
@@ -91,11 +117,9 @@ mod tests {
     #[test]
     fn models_are_found_by_id_path_and_kind() {
         let mut all = Population::default();
-        let member = |path: &str, kind, parent| Member {
-            path: path.into(),
-            kind,
-            parent,
-        };
+        fn member<'a>(path: &'a str, kind: &'static str, parent: Option<ModelId>) -> Member<'a> {
+            Member { path, kind, parent }
+        }
         let hive = all
             .add(member("hive", "simple-hive", None))
             .expect("free path");

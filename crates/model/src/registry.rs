@@ -364,7 +364,7 @@ impl<S: Sensor> SensorFactory for MakeSensor<S> {
         match S::build(self.0.params.clone()) {
             Ok(sensor) => Ok(Box::new(Mounted {
                 sensor,
-                mount,
+                mount: (mount != Mount::IDENTITY).then(|| Box::new(mount)),
                 stream,
             })),
             Err(error) => Err(BuildError::Placed(self.0.place(error))),

@@ -63,13 +63,14 @@ pub trait AnySensor: Send {
 
 pub(crate) struct Mounted<S> {
     pub(crate) sensor: S,
-    pub(crate) mount: Mount,
+    /// `None`: at the body's origin, looking forward, as most are. A mount has 56 bytes.
+    pub(crate) mount: Option<Box<Mount>>,
     pub(crate) stream: Stream,
 }
 
 impl<S: Sensor> AnySensor for Mounted<S> {
     fn read_into(&mut self, truth: &mut Truth<'_>, out: &mut dyn Any) {
-        truth.mount = self.mount;
+        truth.mount = self.mount.as_deref().copied().unwrap_or_default();
         if let Some(out) = out.downcast_mut::<Option<S::Reading>>() {
             *out = Some(self.sensor.read(truth, &mut self.stream));
         }

@@ -48,7 +48,7 @@ pub struct Agent {
 }
 
 /// What every model has, whatever it is. What a timer's wake-up needs comes first: it lies in the
-/// first two cache lines of the [`Agent`] and a bit of the third.
+/// first two of the [`Agent`]'s three cache lines.
 #[repr(C)]
 pub(crate) struct Core {
     pub(crate) id: ModelId,
@@ -62,7 +62,7 @@ pub(crate) struct Core {
     pub(crate) radios: Box<[RadioId]>,
 }
 
-const _: () = assert!(size_of::<Agent>() == 256);
+const _: () = assert!(size_of::<Agent>() == 192);
 
 /// A body's motion as its model has changed it in one call.
 #[derive(Clone, Copy)]

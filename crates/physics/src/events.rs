@@ -101,7 +101,7 @@ impl Physics {
             &self.listed,
             |a, b| filters[a as usize].agrees(filters[b as usize]),
             (t, horizon),
-            self.pool.as_ref(),
+            self.pool.as_deref(),
         );
         self.cover_walls();
         self.tally.listings += 1;
@@ -309,7 +309,7 @@ impl Physics {
     }
 
     fn bounce(&mut self, a: u32, b: u32, spot: &Spot, t: SimTime) -> Impact {
-        let material = self.materials[a as usize].against(&self.materials[b as usize]);
+        let material = self.material(a).against(&self.material(b));
         for id in [a, b] {
             if matches!(
                 self.motions[id as usize].support,
@@ -332,7 +332,7 @@ impl Physics {
 
     fn bounce_off_ground(&mut self, a: u32, spot: &Spot, t: SimTime) -> Impact {
         let ground = self.ground.unwrap_or_default();
-        let material = ground.against(&self.materials[a as usize]);
+        let material = ground.against(&self.material(a));
         let stands = self.form(a).ball().is_some() && self.duties[a as usize] & duty::ROLLS == 0;
         let motion = &mut self.motions[a as usize];
         let impact = response::collide_ground(motion, spot, material, stands, t);

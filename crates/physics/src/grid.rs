@@ -6,6 +6,11 @@
 //! overlaps. Several distant cubes share a bucket; the exact distance decides.
 
 use glam::DVec3;
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+/// Items that one thread takes at a time.
+const CHUNK: usize = 1024;
 
 /// One entry, half a cache line.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +25,12 @@ pub(crate) struct Item {
 }
 
 impl Item {
+    const NONE: Self = Self {
+        centre: DVec3::ZERO,
+        reach: 0.0,
+        id: 0,
+    };
+
     pub(crate) fn reach(&self) -> f64 {
         f64::from(self.reach)
     }
@@ -32,7 +43,6 @@ pub(crate) struct Grid {
     /// Where each bucket begins in `items`; one more entry than buckets.
     start: Vec<u32>,
     keys: Vec<u32>,
-    unsorted: Vec<Item>,
     /// Buckets along one axis are two to this power.
     bits: u32,
     per_metre: f64,
@@ -46,54 +56,46 @@ fn floor(x: f64) -> i64 {
 }
 
 impl Grid {
-    /// Where the items to be put in are collected.
-    pub(crate) fn collect(&mut self) -> &mut Vec<Item> {
-        self.unsorted.clear();
-        &mut self.unsorted
-    }
-
-    /// What was collected.
-    pub(crate) fn collected(&self) -> &[Item] {
-        &self.unsorted
-    }
-
-    /// Sorts what was collected into cubes with edges of `cell_m`.
-    pub(crate) fn build(&mut self, cell_m: f64) {
-        let count = self.unsorted.len();
-        self.bits = (count.max(8).next_power_of_two().ilog2()).div_ceil(3);
+    /// Sorts the items of `ids` into cubes with edges of `cell_m`.
+    pub(crate) fn build(
+        &mut self,
+        cell_m: f64,
+        ids: &[u32],
+        item: impl Fn(u32) -> Item + Sync,
+        pool: Option<&ThreadPool>,
+    ) {
+        self.bits = (ids.len().max(8).next_power_of_two().ilog2()).div_ceil(3);
         self.per_metre = 1.0 / cell_m;
-        let buckets = 1_usize << (3 * self.bits);
+        let mut keys = std::mem::take(&mut self.keys);
+        let key = |id: &u32| self.key(self.cube(item(*id).centre));
+        if let Some(pool) = pool {
+            let ids = ids.par_iter().with_min_len(CHUNK);
+            pool.install(|| ids.map(key).collect_into_vec(&mut keys));
+        } else {
+            keys.clear();
+            keys.extend(ids.iter().map(key));
+        }
 
         self.start.clear();
-        self.start.resize(buckets + 1, 0);
-        self.keys.clear();
-        for i in 0..count {
-            let key = self.key(self.cube(self.unsorted[i].centre));
-            self.keys.push(key);
-            self.start[key as usize] += 1;
+        self.start.resize((1 << (3 * self.bits)) + 1, 0);
+        for key in &keys {
+            self.start[*key as usize] += 1;
         }
         let mut end = 0;
         for start in &mut self.start {
             end += *start;
             *start = end;
         }
-        self.items.clear();
-        self.items.resize(
-            count,
-            Item {
-                centre: DVec3::ZERO,
-                reach: 0.0,
-                id: 0,
-            },
-        );
-        for (item, key) in self.unsorted.iter().zip(&self.keys).rev() {
+        self.items.resize(ids.len(), Item::NONE);
+        for (id, key) in ids.iter().zip(&keys).rev() {
             let place = &mut self.start[*key as usize];
             *place -= 1;
-            self.items[*place as usize] = *item;
+            self.items[*place as usize] = item(*id);
         }
+        self.keys = keys;
     }
 
-    /// All items, by bucket and then in the order in which they were collected.
+    /// All items, by bucket and then in the order of their bodies.
     pub(crate) fn items(&self) -> &[Item] {
         &self.items
     }
@@ -160,16 +162,16 @@ mod tests {
     fn scattered(count: u32, size: f64) -> Grid {
         let mut grid = Grid::default();
         let mut stream = simbeeotic_kernel::rng::Stream::new(1, "grid", "test");
-        let items = grid.collect();
-        for id in 0..count {
-            let [x, y, z] = [(); 3].map(|()| stream.uniform_in(-size..size));
-            items.push(Item {
-                centre: DVec3::new(x, y, z),
-                reach: 0.1,
-                id,
-            });
-        }
-        grid.build(2.0);
+        let places: Vec<DVec3> = (0..count)
+            .map(|_| DVec3::from_array([(); 3].map(|()| stream.uniform_in(-size..size))))
+            .collect();
+        let item = |id: u32| Item {
+            centre: places[id as usize],
+            reach: 0.1,
+            id,
+        };
+        let ids: Vec<u32> = (0..count).collect();
+        grid.build(2.0, &ids, item, None);
         grid
     }
 

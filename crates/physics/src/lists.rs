@@ -33,21 +33,46 @@ const PARALLEL_MIN: usize = 4096;
 /// Bodies that one thread takes at a time.
 const CHUNK: usize = 1024;
 
-/// Where a body stays until the next listing, and where its list begins.
+/// Where a body stays until the next listing.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 struct Ball {
     centre: DVec3,
+    /// How far it may go from there, m.
     allowance: f32,
-    first: u32,
+    /// Its own radius and its allowance, m, rounded up.
+    reach: f32,
 }
 
 impl Ball {
     const NONE: Self = Self {
         centre: DVec3::ZERO,
         allowance: 0.0,
-        first: 0,
+        reach: 0.0,
     };
+
+    /// Where a body stays that is at `t` where its motion says, for `span_s`.
+    fn new(motion: &Motion, t: SimTime, span_s: f64) -> Self {
+        let (centre, v, a) = motion.kinematics(t);
+        let allowance = allowance(v.length(), a.length(), span_s);
+        let reach = (motion.radius_m() + f64::from(allowance)) * (1.0 + 1e-6);
+        Self {
+            centre,
+            allowance,
+            reach: reach as f32,
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        f64::from(self.reach)
+    }
+}
+
+/// Where the list of a body lies.
+#[derive(Clone, Copy, Debug, Default)]
+struct Span {
+    first: u32,
+    count: u32,
 }
 
 /// Neighbour lists of all bodies.
@@ -55,8 +80,7 @@ impl Ball {
 pub(crate) struct Lists {
     grid: Grid,
     balls: Vec<Ball>,
-    /// How many neighbours each body has.
-    counts: Vec<u32>,
+    spans: Vec<Span>,
     neighbours: Vec<u32>,
     pairs: Vec<(u32, u32)>,
     /// Neighbours found since the listing.
@@ -80,11 +104,6 @@ fn allowance(speed: f64, acceleration: f64, span_s: f64) -> f32 {
     (way + FLOOR_M) as f32
 }
 
-/// Radius and allowance together, rounded up.
-fn reach(motion: &Motion, allowance: f32) -> f32 {
-    ((motion.radius_m() + f64::from(allowance)) * (1.0 + 1e-6)) as f32
-}
-
 impl Lists {
     /// Lists the bodies `listed`, from `t` until `horizon`. `agree` says of which pairs it matters whether
     /// they meet.
@@ -104,55 +123,64 @@ impl Lists {
         self.extra.clear();
         self.relisted.clear();
         self.balls.resize(motions.len(), Ball::NONE);
-        self.counts.resize(motions.len(), 0);
+        self.spans.resize(motions.len(), Span::default());
 
-        let ball = |id: &u32| {
-            let motion = &motions[*id as usize];
-            let (centre, v, a) = motion.kinematics(t);
-            let allowance = allowance(v.length(), a.length(), span_s);
-            let item = Item {
-                centre,
-                reach: reach(motion, allowance),
-                id: *id,
-            };
-            (item, allowance)
-        };
-        let items = self.grid.collect();
-        let mut total_reach = 0.0;
-        let mut take = |(item, allowance): (Item, f32)| {
-            total_reach += item.reach();
-            self.balls[item.id as usize] = Ball {
-                centre: item.centre,
-                allowance,
-                first: 0,
-            };
-            items.push(item);
-        };
-        if let Some(pool) = pool {
-            let mut balls = Vec::new();
-            let chunks = listed.par_iter().with_min_len(CHUNK);
-            pool.install(|| chunks.map(ball).collect_into_vec(&mut balls));
-            balls.into_iter().for_each(take);
-        } else {
-            listed.iter().map(ball).for_each(&mut take);
-        }
+        let ball = |id: u32| Ball::new(&motions[id as usize], t, span_s);
+        let total_reach = self.place(listed, ball, pool);
         let mean_reach = total_reach / listed.len().max(1) as f64;
-        self.sort_out(mean_reach);
+        self.sort_out(listed, mean_reach);
         let (least, most) = CELL_M_RANGE;
-        self.grid.build((CELL * mean_reach).clamp(least, most));
+        let edge_m = (CELL * mean_reach).clamp(least, most);
+        let balls = &self.balls;
+        let item = |id: u32| Item {
+            centre: balls[id as usize].centre,
+            reach: balls[id as usize].reach,
+            id,
+        };
+        self.grid.build(edge_m, listed, item, pool);
         self.find_pairs(agree, pool);
         self.fill(listed);
     }
 
+    /// Gives each listed body its ball; returns the sum of their reaches, m. `listed` is sorted.
+    fn place(
+        &mut self,
+        listed: &[u32],
+        ball: impl Fn(u32) -> Ball + Sync,
+        pool: Option<&ThreadPool>,
+    ) -> f64 {
+        let place = |(chunk, balls): (usize, &mut [Ball])| {
+            let base = chunk * CHUNK;
+            let place_of = |end: usize| listed.partition_point(|id| (*id as usize) < end);
+            let mut reach = 0.0;
+            for id in &listed[place_of(base)..place_of(base + balls.len())] {
+                let ball = ball(*id);
+                reach += ball.reach();
+                balls[*id as usize - base] = ball;
+            }
+            reach
+        };
+        // Summed chunk by chunk on any number of threads: sums of other orders differ in the last digit.
+        match pool {
+            Some(pool) => {
+                let chunks = self.balls.par_chunks_mut(CHUNK).enumerate();
+                let reaches: Vec<f64> = pool.install(|| chunks.map(place).collect());
+                reaches.into_iter().sum()
+            }
+            None => self.balls.chunks_mut(CHUNK).enumerate().map(place).sum(),
+        }
+    }
+
     /// Tells the big bodies from the others.
-    fn sort_out(&mut self, mean_reach: f64) {
+    fn sort_out(&mut self, listed: &[u32], mean_reach: f64) {
         self.big.clear();
         self.common_reach = 0.0;
-        for item in self.grid.collected() {
-            if item.reach() > BIG * mean_reach {
-                self.big.push(item.id);
+        for id in listed {
+            let reach = self.balls[*id as usize].reach();
+            if reach > BIG * mean_reach {
+                self.big.push(*id);
             } else {
-                self.common_reach = self.common_reach.max(item.reach());
+                self.common_reach = self.common_reach.max(reach);
             }
         }
     }
@@ -190,22 +218,23 @@ impl Lists {
     /// Writes each pair into the lists of both.
     fn fill(&mut self, listed: &[u32]) {
         for id in listed {
-            self.counts[*id as usize] = 0;
+            self.spans[*id as usize] = Span::default();
         }
         for &(a, b) in &self.pairs {
-            self.counts[a as usize] += 1;
-            self.counts[b as usize] += 1;
+            self.spans[a as usize].count += 1;
+            self.spans[b as usize].count += 1;
         }
         let mut end = 0;
         for id in listed {
-            end += self.counts[*id as usize];
-            self.balls[*id as usize].first = end;
+            let span = &mut self.spans[*id as usize];
+            end += span.count;
+            span.first = end;
         }
         self.neighbours.clear();
         self.neighbours.resize(end as usize, 0);
         for &(a, b) in self.pairs.iter().rev() {
             for (of, neighbour) in [(a, b), (b, a)] {
-                let first = &mut self.balls[of as usize].first;
+                let first = &mut self.spans[of as usize].first;
                 *first -= 1;
                 self.neighbours[*first as usize] = neighbour;
             }
@@ -232,8 +261,8 @@ impl Lists {
     /// Where in [`neighbour`](Self::neighbour) the list of a body lies.
     #[inline]
     pub(crate) fn range(&self, id: u32) -> std::ops::Range<u32> {
-        let first = self.balls[id as usize].first;
-        first..first + self.counts[id as usize]
+        let span = self.spans[id as usize];
+        span.first..span.first + span.count
     }
 
     /// One entry of the lists.
@@ -270,8 +299,8 @@ impl Lists {
     /// Touches what is known of a body; see [`Physics::warm`](crate::Physics::warm).
     #[inline]
     pub(crate) fn warm(&self, id: u32) -> u64 {
-        let ball = self.balls.get(id as usize).map_or(0, |ball| ball.first);
-        let count = self.counts.get(id as usize).map_or(0, |count| *count);
+        let ball = self.balls.get(id as usize).map_or(0, |b| b.reach.to_bits());
+        let count = self.spans.get(id as usize).map_or(0, |span| span.count);
         u64::from(ball ^ count)
     }
 
@@ -296,14 +325,11 @@ impl Lists {
         t: SimTime,
         horizon: SimTime,
     ) {
-        let motion = &motions[id as usize];
-        let (p, v, a) = motion.kinematics(t);
-        let allowance = allowance(v.length(), a.length(), seconds_between(t, horizon));
-        let ball = &mut self.balls[id as usize];
-        (ball.centre, ball.allowance) = (p, allowance);
+        let ball = Ball::new(&motions[id as usize], t, seconds_between(t, horizon));
+        self.balls[id as usize] = ball;
         self.since = t;
         self.strays.retain(|stray| *stray != id);
-        let bounds = self.bounds(id, motions);
+        let bounds = self.bounds(id);
         if let Some(tree) = self.sight.get_mut() {
             tree.update(id, bounds);
         }
@@ -311,7 +337,7 @@ impl Lists {
             self.relisted.push(id);
         }
 
-        let own = f64::from(reach(motion, allowance));
+        let (p, own) = (ball.centre, ball.reach());
         let mut found = Vec::new();
         self.grid
             .around(p, own + self.common_reach, |item| found.push(item.id));
@@ -321,7 +347,7 @@ impl Lists {
         found.dedup();
         for other in found {
             let ball = &self.balls[other as usize];
-            let touch = own + f64::from(reach(&motions[other as usize], ball.allowance));
+            let touch = own + ball.reach();
             let meets = other != id && ball.centre.distance_squared(p) <= touch * touch;
             if meets && agree(id, other) && !self.knows(id, other) {
                 self.extra.entry(id).or_default().push(other);
@@ -363,17 +389,16 @@ impl Lists {
     }
 
     /// All that a listed body may fill until the next listing.
-    fn bounds(&self, id: u32, motions: &[Motion]) -> Bounds {
+    fn bounds(&self, id: u32) -> Bounds {
         let ball = &self.balls[id as usize];
-        let reach = f64::from(reach(&motions[id as usize], ball.allowance));
-        [ball.centre - reach, ball.centre + reach]
+        [ball.centre - ball.reach(), ball.centre + ball.reach()]
     }
 
     /// The balls of the listed bodies, in a tree.
-    pub(crate) fn sight(&self, motions: &[Motion]) -> &Tree {
+    pub(crate) fn sight(&self) -> &Tree {
         self.sight.get_or_init(|| {
             let bodies = self.grid.items().iter().map(|item| item.id);
-            Tree::new(bodies.map(|id| (id, self.bounds(id, motions))))
+            Tree::new(bodies.map(|id| (id, self.bounds(id))))
         })
     }
 }

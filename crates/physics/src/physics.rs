@@ -18,6 +18,7 @@ use crate::walls::Walls;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// What holds for the whole world.
@@ -153,10 +154,11 @@ impl Filter {
 /// many kinds of things are not worth a search.
 const OUTLINES_COMPARED: usize = 16;
 
-/// A shape, for bodies that move freely or for others, and what is made of it.
+/// A shape and its surface, for bodies that move freely or for others, and what is made of it.
 #[derive(Debug)]
 pub(crate) struct Outline {
     pub(crate) shape: Shape,
+    pub(crate) material: Material,
     pub(crate) free: bool,
     pub(crate) form: Form,
 }
@@ -209,8 +211,7 @@ pub struct Physics {
     pub(crate) motions: Vec<Motion>,
     pub(crate) duties: Vec<u8>,
     pub(crate) filters: Vec<Filter>,
-    pub(crate) materials: Vec<Material>,
-    /// Every shape there is, once; and which of them each body has.
+    /// Every shape with its surface there is, once; and which of them each body has.
     pub(crate) outlines: Vec<Outline>,
     pub(crate) outline_of: Vec<u32>,
     /// Where each body began, as one word.
@@ -236,7 +237,7 @@ pub struct Physics {
     /// Whether bodies in lasting contact are handed to islands.
     pub(crate) uses_islands: bool,
     /// Threads that foresee; `None`: the caller's alone.
-    pub(crate) pool: Option<ThreadPool>,
+    pub(crate) pool: Option<Arc<ThreadPool>>,
     /// Room for who follows a new segment after a step.
     pub(crate) stepped: Vec<u32>,
     /// Room for what is foreseen.
@@ -290,7 +291,6 @@ impl Physics {
             motions: Vec::new(),
             duties: Vec::new(),
             filters: Vec::new(),
-            materials: Vec::new(),
             outlines: Vec::new(),
             outline_of: Vec::new(),
             origins: Vec::new(),
@@ -321,6 +321,18 @@ impl Physics {
         }
     }
 
+    /// Makes room for so many more bodies: tables that grow hold half as much again while they move.
+    pub fn reserve(&mut self, bodies: usize) {
+        self.motions.reserve_exact(bodies);
+        self.duties.reserve_exact(bodies);
+        self.filters.reserve_exact(bodies);
+        self.outline_of.reserve_exact(bodies);
+        self.reviews.reserve_exact(bodies);
+        for list in [&mut self.dirty, &mut self.movers, &mut self.listed] {
+            list.reserve_exact(bodies);
+        }
+    }
+
     /// Adds a body, as it is at the start of the run. Bodies are added before the first call of
     /// [`settle`](Self::settle) or [`advance`](Self::advance); one that is added later has been there,
     /// unseen, since the start.
@@ -333,7 +345,7 @@ impl Physics {
             .ok()
             .filter(|id| *id < GROUND);
         let id = id.ok_or(BodyError::TooMany)?;
-        let outline = self.outline(&spec)?;
+        let outline = self.outline_for(&spec)?;
         let friction = self
             .ground
             .map_or(0.0, |ground| ground.against(&spec.material).friction);
@@ -346,7 +358,6 @@ impl Physics {
             .push(Motion::new(&spec, self.gravity, friction));
         self.duties.push(duties);
         self.filters.push(Filter::new(&spec));
-        self.materials.push(spec.material);
         self.outline_of.push(outline);
         self.origins.push(origin_of(&spec));
         self.reviews.push(SimTime::MAX);
@@ -357,15 +368,18 @@ impl Physics {
     }
 
     /// The outline of a body: that of an earlier one, if it has the same.
-    fn outline(&mut self, spec: &BodySpec) -> Result<u32, BodyError> {
+    fn outline_for(&mut self, spec: &BodySpec) -> Result<u32, BodyError> {
         let free = spec.mobility == Mobility::Free;
-        let same = |known: &Outline| known.free == free && known.shape == spec.shape;
+        let same = |known: &Outline| {
+            known.free == free && known.material == spec.material && known.shape == spec.shape
+        };
         let recent = self.outlines.len().saturating_sub(OUTLINES_COMPARED);
         let at = match self.outlines[recent..].iter().position(same) {
             Some(at) => recent + at,
             None => {
                 self.outlines.push(Outline {
                     shape: spec.shape.clone(),
+                    material: spec.material,
                     free,
                     form: Form::new(&spec.shape, free)?,
                 });
@@ -375,10 +389,16 @@ impl Physics {
         Ok(at as u32)
     }
 
+    /// What a body has in common with those that are like it.
+    #[inline]
+    pub(crate) fn outline(&self, id: u32) -> &Outline {
+        &self.outlines[self.outline_of[id as usize] as usize]
+    }
+
     /// The form of a body.
     #[inline]
     pub(crate) fn form(&self, id: u32) -> &Form {
-        &self.outlines[self.outline_of[id as usize] as usize].form
+        &self.outline(id).form
     }
 
     /// Number of bodies.
@@ -415,7 +435,7 @@ impl Physics {
     /// If `id` is not one of [`add`](Self::add) of this world.
     #[must_use]
     pub fn shape(&self, id: BodyId) -> &Shape {
-        &self.outlines[self.outline_of[id.index()] as usize].shape
+        &self.outline(id.0).shape
     }
 
     /// Lets `motion` replace the body's segment from `now` on.
@@ -474,8 +494,17 @@ impl Physics {
     /// The threads cannot be started.
     pub fn set_threads(&mut self, threads: usize) -> Result<(), ThreadsError> {
         let build = || ThreadPoolBuilder::new().num_threads(threads).build();
-        self.pool = if threads > 1 { Some(build()?) } else { None };
+        self.pool = if threads > 1 {
+            Some(Arc::new(build()?))
+        } else {
+            None
+        };
         Ok(())
+    }
+
+    /// The same on threads that are there already, as those of an engine.
+    pub fn share_threads(&mut self, pool: Arc<ThreadPool>) {
+        self.pool = Some(pool);
     }
 
     /// Works out which bodies can meet at all. Bodies of the same filter form a class.

@@ -51,7 +51,7 @@ impl Physics {
     /// What there is to be seen at `t`.
     pub(crate) fn sight(&self, t: SimTime) -> Sight<'_> {
         self.ask();
-        let tree = self.lists_hold(t).then(|| self.lists.sight(&self.motions));
+        let tree = self.lists_hold(t).then(|| self.lists.sight());
         Sight {
             physics: self,
             tree,

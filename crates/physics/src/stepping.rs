@@ -195,10 +195,7 @@ impl Physics {
                 if spin == 0.0 {
                     continue;
                 }
-                let friction = self
-                    .material(other)
-                    .against(&self.materials[id as usize])
-                    .friction;
+                let friction = self.material(other).against(&self.material(id)).friction;
                 let load = touch.impulse.dot(touch.normal).abs();
                 let most = 2.0 / 3.0 * friction * load * PATCH * radius;
                 let slower = most * motion.inverse_inertia().x;
@@ -208,11 +205,12 @@ impl Physics {
         }
     }
 
-    fn material(&self, id: u32) -> Material {
+    /// The surface of a body, or of the ground.
+    pub(crate) fn material(&self, id: u32) -> Material {
         if id == GROUND {
             self.ground.unwrap_or_default()
         } else {
-            self.materials[id as usize]
+            self.outline(id).material
         }
     }
 
@@ -332,7 +330,7 @@ impl Physics {
     fn surface(&self, id: u32) -> Surface {
         Surface {
             id,
-            material: self.materials[id as usize],
+            material: self.material(id),
             groups: self.filters[id as usize].groups(),
         }
     }

@@ -87,7 +87,7 @@ impl Component for RecorderComponent {
         let vehicle = |id: &ModelId| {
             let member = view.population().get(*id);
             Vehicle {
-                path: member.map(|m| m.path.clone()).unwrap_or_default(),
+                path: member.map(|m| m.path.to_owned()).unwrap_or_default(),
                 kind: member.map(|m| m.kind.to_owned()).unwrap_or_default(),
                 radius_m: view.radius(*id).map_or(0.0, |r| r.metres()),
             }

@@ -53,7 +53,11 @@ fn fly(scenario: &Path) -> Result<Scene, Box<dyn Error>> {
         .map_err(|faults| render::faults(&faults, loaded.sources(), false))?;
     let world = setup.world.clone();
     let mut run = Simulation::new(setup)?;
-    let names: Vec<String> = run.population().iter().map(|(_, m)| m.path.clone()).collect();
+    let names: Vec<String> = run
+        .population()
+        .iter()
+        .map(|(_, m)| m.path.to_owned())
+        .collect();
 
     let mut trails: Vec<_> = names
         .iter()
@@ -98,7 +102,9 @@ fn fly(scenario: &Path) -> Result<Scene, Box<dyn Error>> {
             colour: [214.0, 160.0, 96.0],
         });
     }
-    let trails = trails.into_iter().map(|(_, colour, points)| (colour, points));
+    let trails = trails
+        .into_iter()
+        .map(|(_, colour, points)| (colour, points));
     Ok(Scene {
         blocks,
         trails: trails.collect(),
@@ -130,8 +136,16 @@ fn project(p: DVec3) -> DVec2 {
 fn draw(scene: &Scene) -> String {
     let corner = |k: usize| DVec3::new(SHOWN[0][k & 1], SHOWN[1][k >> 1 & 1], SHOWN[2][k >> 2]);
     let corners: Vec<DVec2> = (0..8).map(|k| project(corner(k))).collect();
-    let least = corners.iter().copied().reduce(DVec2::min).unwrap_or_default();
-    let most = corners.iter().copied().reduce(DVec2::max).unwrap_or_default();
+    let least = corners
+        .iter()
+        .copied()
+        .reduce(DVec2::min)
+        .unwrap_or_default();
+    let most = corners
+        .iter()
+        .copied()
+        .reduce(DVec2::max)
+        .unwrap_or_default();
     let size = most - least;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0} {:.0}\">\n\

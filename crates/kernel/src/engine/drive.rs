@@ -254,31 +254,24 @@ impl<D: Domain> Engine<D> {
             events: &self.batch,
             keys: &self.keys,
         };
-        let parallel = self.pool.is_some()
-            && self.calls.len() >= self.settings.parallel_from
-            && self.calls.len() > CHUNK;
-        if !parallel {
-            round.run(
-                &self.calls,
-                0,
-                &mut self.agents,
-                &mut self.books,
-                &mut self.boxes[0],
-            );
-            return 1;
-        }
-        let chunks = self.calls.len().div_ceil(CHUNK);
+        let chunks = self.calls.len().div_ceil(CHUNK).max(1);
         let agents = self.keys.len() as u32;
         if self.boxes.len() < chunks {
             self.boxes.resize_with(chunks, || Outbox::new(agents));
         }
-        round.run_parallel(
-            &self.calls,
-            0,
-            &mut self.agents,
-            &mut self.books,
-            &mut self.boxes[..chunks],
-        );
+        let boxes = &mut self.boxes[..chunks];
+        if self.pool.is_some() && self.calls.len() >= self.settings.parallel_from && chunks > 1 {
+            round.run_parallel(&self.calls, 0, &mut self.agents, &mut self.books, boxes);
+        } else if let [out] = boxes {
+            round.run(&self.calls, 0, &mut self.agents, &mut self.books, out);
+        } else {
+            for (calls, out) in self.calls.chunks(CHUNK).zip(boxes) {
+                round.run_caught(calls, 0, &mut self.agents, &mut self.books, out);
+                if out.failure.is_some() {
+                    break;
+                }
+            }
+        }
         chunks
     }
 

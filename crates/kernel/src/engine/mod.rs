@@ -302,6 +302,12 @@ impl<D: Domain> Engine<D> {
             .map_or(1, |pool| pool.current_num_threads())
     }
 
+    /// The threads that run models, to be shared; `None` if it is the caller's alone.
+    #[must_use]
+    pub fn pool(&self) -> Option<Arc<rayon::ThreadPool>> {
+        self.pool.clone()
+    }
+
     /// The trace of the run so far.
     #[must_use]
     pub fn trace(&self) -> &TraceLog {

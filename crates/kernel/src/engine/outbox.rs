@@ -54,6 +54,16 @@ impl<E> Outbox<E> {
         }
     }
 
+    /// Makes room for so many visits, with an effect and an event each; for one alone there will be.
+    #[inline]
+    pub(super) fn expect(&mut self, visits: usize) {
+        if visits > 1 {
+            self.effects.reserve_exact(visits);
+            self.events.reserve_exact(visits);
+            self.records.reserve_exact(visits);
+        }
+    }
+
     /// Begins a visit. `keys` are those of all agents.
     #[inline]
     pub(super) fn begin(&mut self, visit: &Visit<'_>, book: &Book, keys: &[u64]) {

@@ -2,7 +2,8 @@
 //!
 //! Visits are sorted by agent, so a cut through the list of visits is a cut through the slice of
 //! agents: halves are handed to two threads with `split_at_mut`, and again, down to chunks of a fixed
-//! number of visits. Each chunk has an outbox of its own; they are committed in the order of chunks.
+//! number of visits. Each chunk has an outbox of its own, also on one thread, where a single one would
+//! hold half as much again whenever it grows; they are committed in the order of chunks.
 //! Nothing is moved, locked or allocated.
 
 use super::{
@@ -48,6 +49,7 @@ impl<D: Domain> Round<'_, D> {
         books: &mut [Book],
         out: &mut Outbox<D::Effect>,
     ) {
+        out.expect(calls.len());
         for call in calls {
             let visit = Visit {
                 now: self.now,
@@ -65,6 +67,24 @@ impl<D: Domain> Round<'_, D> {
         }
     }
 
+    /// The same; a panic becomes the failure of the agent that was running.
+    pub(super) fn run_caught(
+        &self,
+        calls: &[Call],
+        base: usize,
+        agents: &mut [D::Agent],
+        books: &mut [Book],
+        out: &mut Outbox<D::Effect>,
+    ) {
+        let run = || self.run(calls, base, agents, books, out);
+        if let Err(payload) = catch_unwind(AssertUnwindSafe(run)) {
+            out.failure = Some(Failure {
+                id: out.id,
+                what: What::Panic(message(&*payload)),
+            });
+        }
+    }
+
     /// Runs visits on all threads, one outbox a chunk.
     pub(super) fn run_parallel(
         &self,
@@ -75,14 +95,7 @@ impl<D: Domain> Round<'_, D> {
         outs: &mut [Outbox<D::Effect>],
     ) {
         if let [out] = outs {
-            let run = || self.run(calls, base, agents, books, out);
-            if let Err(payload) = catch_unwind(AssertUnwindSafe(run)) {
-                out.failure = Some(Failure {
-                    id: out.id,
-                    what: What::Panic(message(&*payload)),
-                });
-            }
-            return;
+            return self.run_caught(calls, base, agents, books, out);
         }
         let half = outs.len() / 2;
         let (calls, more_calls) = calls.split_at(half * CHUNK);
@@ -125,6 +138,7 @@ pub(super) fn list_calls(events: &[Event], extra: &mut Vec<ModelId>, calls: &mut
 fn merge_calls(events: &[Event], extra: &mut Vec<ModelId>, calls: &mut Vec<Call>) {
     extra.sort_unstable();
     extra.dedup();
+    calls.reserve_exact(events.len() + extra.len());
     let mut extra = extra.drain(..).peekable();
     let mut from = 0;
     while let Some(event) = events.get(from) {

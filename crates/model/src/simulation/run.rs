@@ -74,6 +74,10 @@ impl Simulation {
         };
         let mut engine = Engine::new(swarm, agents, settings)?;
         engine.control().set_factor(setup.pace)?;
+        // A pool of its own would be woken twice an instant, while the engine's lies idle.
+        if let Some(pool) = engine.pool() {
+            engine.domain_mut().physics.share_threads(pool);
+        }
         for id in 0..engine.agents().len() {
             // Nothing has happened yet, and every id is known: this cannot fail.
             let _ = engine.schedule_initial(

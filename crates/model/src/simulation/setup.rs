@@ -87,9 +87,6 @@ pub enum SetupError {
     /// A pace that is not a number above zero.
     #[error(transparent)]
     Pace(#[from] simbeeotic_kernel::pace::PaceError),
-    /// Physics cannot have its threads.
-    #[error(transparent)]
-    Threads(#[from] simbeeotic_physics::ThreadsError),
     /// The engine cannot be made.
     #[error(transparent)]
     Engine(#[from] simbeeotic_kernel::EngineError),
@@ -98,32 +95,36 @@ pub enum SetupError {
 /// The swarm and its models, ready for the engine.
 pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupError> {
     let plans = std::mem::take(&mut setup.models);
+    let count = plans.len();
     let seed = setup.origin.seed;
     let mut physics = Physics::new(setup.physics);
-    physics.set_threads(setup.threads)?;
+    physics.reserve(count);
     let mut medium = setup.medium.take();
-    let mut population = Population::default();
-    let (mut agents, mut bodies, mut owners) = (Vec::new(), Vec::new(), Vec::new());
-    let mut keys = Vec::with_capacity(plans.len());
+    // Tables that grow hold half as much again while they move.
+    let mut population = Population::with_capacity(count);
+    let mut agents = Vec::with_capacity(count);
+    let (mut bodies, mut owners) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    let mut keys = Vec::with_capacity(count);
     let mut faults: Vec<(String, Fault)> = Vec::new();
-    for plan in &plans {
-        let parent = plan.parent.map(|at| ModelId(at as u32));
+    for plan in plans {
+        let key = path_key(&plan.path);
+        let path: Arc<str> = plan.path.into();
         let member = Member {
-            path: plan.path.clone(),
+            path: &path,
             kind: plan.kind,
-            parent,
+            parent: plan.parent.map(|at| ModelId(at as u32)),
         };
         let id = population
             .add(member)
             .ok_or_else(|| SetupError::DuplicatePath {
-                path: plan.path.clone(),
+                path: path.to_string(),
             })?;
         let mut instance = Instance {
             id,
-            path: Arc::from(plan.path.as_str()),
+            path: Arc::clone(&path),
             seed,
             start: plan.start,
-            gear: Arc::clone(&plan.gear),
+            gear: plan.gear,
             vehicle: plan.vehicle.as_deref(),
             physics: &mut physics,
             medium: medium.as_mut(),
@@ -135,7 +136,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             Err(fault) => {
                 // A thousand bees of one section have one fault.
                 if !faults.iter().any(|(_, known)| *known == fault) {
-                    faults.push((plan.path.clone(), fault));
+                    faults.push((path.to_string(), fault));
                 }
                 continue;
             }
@@ -144,12 +145,12 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             owners.push(Thing::Model(id));
         }
         bodies.push(instance.body);
-        keys.push(path_key(&plan.path));
+        keys.push(key);
         let core = Core {
             id,
             body: instance.body,
             radios: instance.radios.into(),
-            rng: Stream::new(seed, &plan.path, "behavior"),
+            rng: Stream::keyed(seed, key, "behavior"),
             timers: Timers::new(),
             told: 0,
             accounts: crate::energy::Accounts::default(),
