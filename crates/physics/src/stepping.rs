@@ -227,7 +227,9 @@ impl Physics {
             Some(world) if !far(&world) => world,
             _ => {
                 island.detach();
-                let first = &motions[island.key() as usize];
+                let ids = island.members.iter().map(|member| member.id);
+                let first = ids.min_by_key(|id| self.rank(*id)).unwrap_or_default();
+                let first = &motions[first as usize];
                 let mut world = Box::new(World::new(
                     first.p.round(),
                     self.islands.solver_iterations,
