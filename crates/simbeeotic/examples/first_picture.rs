@@ -58,7 +58,7 @@ fn fly(scenario: &Path) -> Result<Flight, Box<dyn Error>> {
     let models = run
         .population()
         .iter()
-        .map(|(_, member)| member.path.clone());
+        .map(|(_, member)| member.path.to_owned());
     let mut traces: Vec<Trace> = models
         .map(|model| Trace {
             model,
