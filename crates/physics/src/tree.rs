@@ -173,10 +173,9 @@ impl Tree {
 
     fn set(&mut self, place: u32, outline: Bounds) {
         let (node, child) = (&mut self.nodes[place as usize / 4], place as usize % 4);
-        for side in 0..2 {
-            let corner = outline[side].to_array();
-            for axis in 0..3 {
-                node.boxes[axis][side][child] = corner[axis];
+        for (side, corner) in outline.into_iter().enumerate() {
+            for (boxes, coordinate) in node.boxes.iter_mut().zip(corner.to_array()) {
+                boxes[side][child] = coordinate;
             }
         }
     }
@@ -212,16 +211,15 @@ impl Tree {
             let node = &self.nodes[waiting[count] as usize];
             let mut overlaps = [true; 4];
             for k in 0..3 {
-                for i in 0..4 {
-                    overlaps[i] &=
-                        (node.boxes[k][0][i] <= high[k]) & (node.boxes[k][1][i] >= low[k]);
+                let [least, most] = &node.boxes[k];
+                for (overlaps, (least, most)) in overlaps.iter_mut().zip(least.iter().zip(most)) {
+                    *overlaps &= (*least <= high[k]) & (*most >= low[k]);
                 }
             }
-            for i in 0..4 {
-                if !overlaps[i] {
+            for (child, overlaps) in node.children.into_iter().zip(overlaps) {
+                if !overlaps {
                     continue;
                 }
-                let child = node.children[i];
                 if child & ITEM == 0 {
                     waiting[count] = child;
                     count += 1;

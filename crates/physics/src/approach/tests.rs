@@ -1,3 +1,5 @@
+//! Times of impact against closed forms, bracketing searches, and dense samples of random meetings.
+
 use super::{Side, meets};
 use crate::body::BodySpec;
 use crate::motion::Motion;
@@ -283,7 +285,6 @@ fn flying(stream: &mut Stream) -> BodySpec {
     spec
 }
 
-/// With 20,000 trials of 200 samples the same holds.
 const TRIALS: u32 = 4000;
 const SAMPLES: u32 = 25;
 
