@@ -286,12 +286,12 @@ impl Physics {
         let ball = |id: u32| id == GROUND || self.form(id).ball().is_some();
         let member = |id: u32| id != GROUND && self.motions[id as usize].support == Support::Island;
         let fixed = |id: u32| id == GROUND || self.duties[id as usize] & duty::FIXED != 0;
-        self.uses_islands
-            && (member(a)
-                || member(b)
-                || !(ball(a) || fixed(a))
-                || !(ball(b) || fixed(b))
-                || self.encounters.bounces(pair) >= limits::BOUNCES_OF_BALLS)
+        let turns = |id: u32| !ball(id) && !fixed(id);
+        turns(a)
+            || turns(b)
+            || member(a)
+            || member(b)
+            || self.uses_islands && self.encounters.bounces(pair) >= limits::BOUNCES_OF_BALLS
     }
 
     /// Two that only detect each other part.

@@ -1,4 +1,4 @@
-//! Rigid bodies on their own clocks, wrenches, contacts at computed times.
+//! Rigid bodies of any shape on their own clocks: wrenches, contacts at computed times, islands, rays.
 //!
 //! ```
 //! use simbeeotic_kernel::SimTime;

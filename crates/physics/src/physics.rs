@@ -63,8 +63,9 @@ pub enum ContactModel {
     /// another and come to rest.
     #[default]
     Islands,
-    /// They bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly, wrong
-    /// for what lies upon one another.
+    /// Balls bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly, wrong
+    /// for balls that lie upon one another. Other shapes are handed to islands all the same: on corners
+    /// and edges there is no end of small impulses.
     Impulses,
 }
 
@@ -234,7 +235,7 @@ pub struct Physics {
     /// What stands near each body; empty if nothing that matters stands anywhere.
     pub(crate) walls: Vec<Walls>,
     pub(crate) has_walls: bool,
-    /// Whether bodies in lasting contact are handed to islands.
+    /// Whether balls in lasting contact are handed to islands, too.
     pub(crate) uses_islands: bool,
     /// Threads that foresee; `None`: the caller's alone.
     pub(crate) pool: Option<Arc<ThreadPool>>,
@@ -411,12 +412,6 @@ impl Physics {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.motions.is_empty()
-    }
-
-    /// Free fall in this world, downwards, m/s^2.
-    #[must_use]
-    pub const fn gravity_m_s2(&self) -> f64 {
-        self.gravity
     }
 
     /// The trajectory segment of a body.

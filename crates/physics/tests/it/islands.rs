@@ -7,7 +7,8 @@
 
 use simbeeotic_kernel::SimTime;
 use simbeeotic_physics::{
-    BodyId, BodySpec, Config, Contact, Material, Mobility, Motion, Physics, Shape, Support,
+    BodyId, BodySpec, Config, Contact, ContactModel, Material, Mobility, Motion, Physics, Shape,
+    Support,
 };
 use simbeeotic_units::Attitude;
 use simbeeotic_units::glam::{DQuat, DVec3};
@@ -243,6 +244,41 @@ fn a_heap_comes_to_rest_and_others_far_away_change_no_bit() {
             let (a, b) = (alone.motion(*a).at(t), among.motion(*b).at(t));
             assert_eq!(a, b, "{s}");
             assert!(a.p_enu.z > 0.09, "{s}: {a:?}");
+        }
+    }
+}
+
+#[test]
+fn boxes_land_and_lie_whatever_becomes_of_balls() {
+    for model in [ContactModel::Islands, ContactModel::Impulses] {
+        for restitution in [0.0, 0.5] {
+            let mut physics = Physics::new(Config {
+                ground: Some(crate::worlds::surface(0.5, restitution)),
+                contact_model: model,
+                ..Config::default()
+            });
+            let mut stream = crate::worlds::stream("boxes land");
+            for id in 0..20 {
+                let [x, y] = [(); 2].map(|()| stream.uniform_in(-0.3..0.3));
+                let p_enu = DVec3::new(x, y, 0.5 + 0.4 * f64::from(id));
+                let spec = BodySpec {
+                    p_enu,
+                    w_flu: stream.in_ball(3.0),
+                    material: crate::worlds::surface(0.5, restitution),
+                    ..BodySpec::new(
+                        Shape::Box {
+                            half_m: DVec3::splat(0.1),
+                        },
+                        0.5,
+                    )
+                };
+                physics.add(spec).unwrap();
+            }
+            crate::worlds::run(&mut physics, seconds(20.0));
+            let tally = physics.tally();
+            assert!(tally.contacts < 5_000, "{model:?}: {tally:?}");
+            let still = |id: u32| physics.motion(BodyId(id)).velocity(seconds(20.0)) == DVec3::ZERO;
+            assert!((0..20).all(still), "{model:?}, restitution {restitution}");
         }
     }
 }

@@ -47,8 +47,8 @@ pub enum ContactModel {
     /// They are stepped together in a small world of their own (see `island_step`): they slide, stack,
     /// push one another and come to rest.
     Islands,
-    /// They bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly,
-    /// wrong for what lies upon one another.
+    /// Spheres bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly,
+    /// wrong for spheres that lie upon one another. Other shapes are stepped all the same.
     Impulses,
 }
 
