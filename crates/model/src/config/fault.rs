@@ -1,6 +1,7 @@
 //! What is wrong with an input, and where.
 
 use super::node::Span;
+use std::collections::BTreeSet;
 
 /// How bad a [`Fault`] is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,7 +69,10 @@ impl Fault {
         word: &str,
         known: impl IntoIterator<Item = &'a str>,
     ) -> Self {
-        let known: Vec<&str> = known.into_iter().collect();
+        let mut known: Vec<&str> = known.into_iter().collect();
+        // A key with an old name is said to be known twice.
+        let mut seen = BTreeSet::new();
+        known.retain(|key| seen.insert(*key));
         let help = match simbeeotic_units::did_you_mean(word, known.iter().copied()) {
             Some(guess) => format!("did you mean `{guess}`?"),
             None if known.is_empty() => "there is none to choose from".to_owned(),
