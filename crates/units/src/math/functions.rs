@@ -184,7 +184,7 @@ mod tests {
             ])
             .for_each(&mut fold);
         }
-        assert_eq!(hash, 0x5862_3141_cf87_b3be, "found {hash:#018x}");
+        assert_eq!(hash, 0x0760_5481_1cea_02cf, "found {hash:#018x}");
     }
 
     #[test]
