@@ -21,7 +21,7 @@
 //! linearly. Very near it, the true rate alone gives the instant.
 
 use crate::motion::{Motion, Spin, seconds_between};
-use crate::root::Quartic;
+use crate::root::{self, Quartic};
 use crate::rotation::{turn_by, unit};
 use crate::shape::form::{Form, Gap, Place, Solid};
 use crate::shape::piece::Piece;
@@ -163,18 +163,9 @@ enum Partner<'a> {
     Plane(DVec3),
 }
 
-/// The first root of `value + slope h + m h^2 / 2` with `h > 0`, for a positive value.
+/// When a distance of such a course comes to zero: never is infinitely late.
 fn first_root(value: f64, slope: f64, m: f64) -> f64 {
-    let discriminant = slope * slope - 2.0 * m * value;
-    if discriminant < 0.0 {
-        f64::INFINITY
-    } else if slope < 0.0 {
-        2.0 * value / (discriminant.sqrt() - slope)
-    } else if m < 0.0 {
-        (slope + discriminant.sqrt()) / -m
-    } else {
-        f64::INFINITY
-    }
+    root::first_root(value, slope, m).unwrap_or(f64::INFINITY)
 }
 
 impl Course<'_> {

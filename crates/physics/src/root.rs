@@ -140,7 +140,7 @@ impl Quartic {
 
 /// The first root of `value + slope h + m h^2 / 2` with `h > 0`, for a positive value.
 #[inline]
-fn first_root(value: f64, slope: f64, m: f64) -> Option<f64> {
+pub(crate) fn first_root(value: f64, slope: f64, m: f64) -> Option<f64> {
     let discriminant = slope * slope - 2.0 * m * value;
     if discriminant < 0.0 {
         return None;

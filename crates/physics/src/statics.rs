@@ -32,8 +32,7 @@ impl Statics {
     /// micrometre are among them.
     pub(crate) fn near(&self, bounds: Bounds, found: &mut Vec<u32>) {
         let first = found.len();
-        found.extend_from_slice(&self.endless);
-        self.tree.overlapping(bounds, |id| found.push(id));
+        self.overlapping(bounds, |id| found.push(id));
         found[first..].sort_unstable();
     }
 
