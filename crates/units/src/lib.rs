@@ -52,9 +52,10 @@ pub mod text;
 /// The linear algebra below the typed vectors, at the version this crate uses.
 pub use glam;
 pub use quantity::{
-    Acceleration, Angle, AngularRate, Area, Charge, Current, DataRate, Decibels, Density, Energy,
-    Force, Frequency, Impulse, Length, Mass, Power, PowerLevel, Pressure, Quantity, QuantityError,
-    Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
+    Acceleration, Angle, AngularRate, Area, Charge, Concentration, Current, DataRate, Decibels,
+    Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity, Mass,
+    MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate, Scale, Speed,
+    Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
 };
 pub use space::{
     Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, ImpulseVec, Mount, Offset, Pose, Position,

@@ -1,4 +1,5 @@
-//! The air: wind, temperature, pressure and density, everywhere and at any time.
+//! The air: wind, temperature, pressure, density, humidity, light and rain, everywhere and at any
+//! time.
 //!
 //! Without weather the air is that of the International Standard Atmosphere (ISO 2533:1975), at
 //! rest. In its lowest layer, up to 11 km, the temperature falls by 6.5 K a kilometre:
@@ -10,8 +11,12 @@
 //! ```
 //! Above, to 20 km, the temperature stays and the pressure falls as `exp(-g (h - 11 km) / (R T))`.
 
+pub mod rain;
+
 use simbeeotic_kernel::SimTime;
-use simbeeotic_units::{Density, Enu, Position, Pressure, Temperature, Velocity, math};
+use simbeeotic_units::{
+    Density, Enu, Illuminance, Position, Pressure, RainRate, Temperature, Velocity, math,
+};
 use std::fmt::Debug;
 
 /// The air as a field over space and time. Pure: the same place and time give the same air.
@@ -33,6 +38,21 @@ pub trait Weather: Debug + Send + Sync {
     fn density(&self, at: Position, time: SimTime) -> Density {
         let temperature = self.temperature(at, time).get();
         Density::si(self.pressure(at, time).get() / (GAS_CONSTANT * temperature))
+    }
+
+    /// Relative humidity of the air, 0 to 1; dry unless the weather says otherwise.
+    fn humidity(&self, _at: Position, _time: SimTime) -> f64 {
+        0.0
+    }
+
+    /// Light of the sky on level ground, from all sides; dark unless the weather says otherwise.
+    fn light(&self, _at: Position, _time: SimTime) -> Illuminance {
+        Illuminance::ZERO
+    }
+
+    /// Rain; dry unless the weather says otherwise. What it does to sensors is in [`rain`].
+    fn rain(&self, _at: Position, _time: SimTime) -> RainRate {
+        RainRate::ZERO
     }
 }
 

@@ -28,6 +28,7 @@
 //! The JSON schema of a quantity is a string with two extra keys, `x-si-unit` and `x-units`.
 
 mod air;
+mod ambient;
 mod decibels;
 mod define;
 mod electricity;
@@ -40,6 +41,7 @@ pub(crate) mod serial;
 mod signal;
 
 pub use air::{Density, Pressure, Temperature};
+pub use ambient::{Concentration, Illuminance, LuminousIntensity, MassRate, RainRate};
 pub use decibels::{Decibels, PowerLevel};
 pub use electricity::{Charge, Current, Energy, Power, Voltage};
 pub use kind::{Quantity, Scale, Unit, VectorQuantity};
