@@ -34,6 +34,7 @@ pub mod model;
 pub mod objects;
 pub mod population;
 pub mod registry;
+pub mod sees;
 pub mod sensor;
 pub mod simulation;
 pub mod summary;
@@ -51,6 +52,7 @@ pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
 pub use registry::{FromParams, Radio};
+pub use sees::SeesWhat;
 pub use sensor::{Handle, Sensor};
 pub use simulation::{ModelPlan, Outcome, Setup, SetupError, Simulation, SimulationError};
 pub use summary::Summary;
@@ -77,7 +79,7 @@ pub mod prelude {
     pub use crate::check::{at_least_zero, in_range, positive};
     pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Ray, Seen, Station};
     pub use crate::kernel::{ModelId, SimTime, Stream};
-    pub use crate::physics::{BodySpec, Contacts, Material, Mobility, Shape, group};
+    pub use crate::physics::{BodySpec, Contacts, Kind, Material, Mobility, Shape, group};
     pub use crate::radio::{Inbox, Packet};
     pub use crate::units::{
         Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,
@@ -85,8 +87,8 @@ pub mod prelude {
         Rate, Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
-        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, Sensor, Thing,
-        TimerHandle, Touch, Truth,
+        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, SeesWhat, Sensor,
+        Thing, TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

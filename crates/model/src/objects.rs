@@ -1,7 +1,8 @@
 //! The objects of a world as bodies that nothing moves.
 
 use simbeeotic_physics::{
-    BodyError, BodySpec, Config, HeightField, Hull, Material, Mesh, Mobility, Physics, Shape, group,
+    BodyError, BodySpec, Config, HeightField, Hull, Kind, Material, Mesh, Mobility, Physics, Shape,
+    group,
 };
 use simbeeotic_units::{Length, Offset, glam};
 use simbeeotic_world::{Object, ObjectKind, Solid, SolidShape};
@@ -9,11 +10,18 @@ use std::sync::Arc;
 
 /// The bodies that an object is made of, one for each of its solids. They bounce off everything
 /// whose mask includes their group: [`group::FLOWER`] for flowers, [`group::TERRAIN`] for the rest,
-/// as in the original.
+/// as in the original. For those who look, each is of its own kind.
 pub fn bodies<'a>(object: &'a Object<'_>) -> impl Iterator<Item = BodySpec> + 'a {
     let group = match object.id.kind {
         ObjectKind::Flower => group::FLOWER,
         _ => group::TERRAIN,
+    };
+    let kind = match object.id.kind {
+        ObjectKind::Structure => Kind::Structure,
+        ObjectKind::Flower => Kind::Flower,
+        ObjectKind::Person => Kind::Person,
+        ObjectKind::Terrain => Kind::Terrain,
+        _ => Kind::Obstacle,
     };
     let material = Material {
         friction: object.surface.friction,
@@ -27,6 +35,7 @@ pub fn bodies<'a>(object: &'a Object<'_>) -> impl Iterator<Item = BodySpec> + 'a
         mobility: Mobility::Fixed,
         material,
         group,
+        kind: Some(kind),
         ..BodySpec::new(shape(solid), 1.0)
     })
 }

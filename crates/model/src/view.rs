@@ -2,6 +2,7 @@
 
 use crate::host::{Ray, Seen};
 use crate::population::Population;
+use crate::sees::SeesWhat;
 use crate::swarm::{Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_physics::BodyError;
@@ -85,14 +86,14 @@ impl Truth<'_> {
             .neighbors(self.pose.position, radius, self.now, self.host)
     }
 
-    /// What each ray meets first, as the instant began; the host itself is transparent. Fit for
-    /// [`Mount`]s: a ray from the sensor's own pose.
+    /// What each ray meets first of `what`, as the instant began: rays pass through the host itself,
+    /// and through all else. One answer for each ray, in their order.
     ///
     /// # Errors
     /// A ray that is none: a number that is not finite, no direction, no range.
-    pub fn cast_rays(&self, rays: &[Ray]) -> Result<Vec<Option<Seen>>, BodyError> {
+    pub fn cast_rays(&self, rays: &[Ray], what: SeesWhat) -> Result<Vec<Option<Seen>>, BodyError> {
         let host = self.swarm.body_of(self.host);
-        self.swarm.cast_rays(rays, self.now, host)
+        self.swarm.cast_rays(rays, self.now, what, host)
     }
 
     /// The world's objects.

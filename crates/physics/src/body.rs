@@ -1,6 +1,7 @@
 //! What a body is: mass, surface, and whom it may touch.
 
 use crate::error::{self, BodyError};
+use crate::kind::Kind;
 use crate::limits;
 use crate::shape::Shape;
 use glam::DVec3;
@@ -143,6 +144,9 @@ pub struct BodySpec {
     pub group: u16,
     /// The groups it collides with.
     pub mask: u16,
+    /// What it counts as for those who look, whatever its groups. `None`: a [`Kind::Ghost`] if it is
+    /// [`Mobility::Driven`], or else a [`Kind::Vehicle`].
+    pub kind: Option<Kind>,
     /// Whether it has weight.
     pub gravity: bool,
     /// Who moves it.
@@ -169,10 +173,20 @@ impl BodySpec {
             material: Material::default(),
             group: group::BEE,
             mask: group::ALL,
+            kind: None,
             gravity: true,
             mobility: Mobility::Free,
             rolls: false,
         }
+    }
+
+    /// What it counts as for those who look.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.kind.unwrap_or(match self.mobility {
+            Mobility::Driven => Kind::Ghost,
+            _ => Kind::Vehicle,
+        })
     }
 
     /// Whether this can be a body.

@@ -57,7 +57,7 @@
 //!
 //! 1. `motion`, `rotation`: the segment and its closed forms; `command`: what begins a new one;
 //!    `support`: the ground that carries a body;
-//! 2. `shape`, `body`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is refused;
+//! 2. `shape`, `body`, `kind`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is refused;
 //! 3. `root`, `approach`, `predict`: when two segments meet; `response`: what an impact does;
 //! 4. `grid`, `lists`: who might meet whom; `tree`, `statics`, `walls`: what stands in the way;
 //!    `encounters`: the few pairs that must be remembered;
@@ -75,6 +75,7 @@ mod foresee;
 mod grid;
 mod island;
 mod islands;
+mod kind;
 pub mod limits;
 mod lists;
 mod motion;
@@ -96,6 +97,7 @@ mod walls;
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;
 pub use error::{BodyError, ThreadsError};
+pub use kind::{Kind, Kinds};
 pub use motion::{Motion, State};
 pub use physics::{Config, ContactModel, Physics, Tally};
 pub use queries::{Hit, Ray, Sees};

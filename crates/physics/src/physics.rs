@@ -6,6 +6,7 @@ use crate::encounters::Encounters;
 use crate::error::{self, BodyError, ThreadsError};
 use crate::foresee::Foreseen;
 use crate::islands::Islands;
+use crate::kind::Kind;
 use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
@@ -212,6 +213,8 @@ pub struct Physics {
     pub(crate) motions: Vec<Motion>,
     pub(crate) duties: Vec<u8>,
     pub(crate) filters: Vec<Filter>,
+    /// What each body counts as for those who look.
+    pub(crate) kinds: Vec<Kind>,
     /// Every shape with its surface there is, once; and which of them each body has.
     pub(crate) outlines: Vec<Outline>,
     pub(crate) outline_of: Vec<u32>,
@@ -292,6 +295,7 @@ impl Physics {
             motions: Vec::new(),
             duties: Vec::new(),
             filters: Vec::new(),
+            kinds: Vec::new(),
             outlines: Vec::new(),
             outline_of: Vec::new(),
             origins: Vec::new(),
@@ -327,6 +331,7 @@ impl Physics {
         self.motions.reserve_exact(bodies);
         self.duties.reserve_exact(bodies);
         self.filters.reserve_exact(bodies);
+        self.kinds.reserve_exact(bodies);
         self.outline_of.reserve_exact(bodies);
         self.reviews.reserve_exact(bodies);
         for list in [&mut self.dirty, &mut self.movers, &mut self.listed] {
@@ -359,6 +364,7 @@ impl Physics {
             .push(Motion::new(&spec, self.gravity, friction));
         self.duties.push(duties);
         self.filters.push(Filter::new(&spec));
+        self.kinds.push(spec.kind());
         self.outline_of.push(outline);
         self.origins.push(origin_of(&spec));
         self.reviews.push(SimTime::MAX);
@@ -400,6 +406,15 @@ impl Physics {
     #[inline]
     pub(crate) fn form(&self, id: u32) -> &Form {
         &self.outline(id).form
+    }
+
+    /// What a body counts as for those who look.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[must_use]
+    pub fn kind(&self, id: BodyId) -> Kind {
+        self.kinds[id.index()]
     }
 
     /// Number of bodies.

@@ -7,8 +7,9 @@
 //! The tree of `sight` costs about 0.2 us a body once each `list_period` in which there is a query; in
 //! return a query costs what there is along its way, for bodies of any sizes and any distances between.
 
-use crate::body::{BodyId, group};
+use crate::body::BodyId;
 use crate::error::{self, BodyError};
+use crate::kind::{Kind, Kinds};
 use crate::limits;
 use crate::physics::Physics;
 use crate::queue::GROUND;
@@ -48,23 +49,17 @@ pub struct Hit {
 }
 
 /// What a query takes notice of; everything by default.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sees {
-    /// Bodies in one of these [`group`]s, whomever they collide with.
-    pub mask: u16,
+    /// Bodies of these kinds, whomever they collide with; of [`Kind::Ground`] is the ground itself.
+    pub kinds: Kinds,
     /// All but this body: as a rule, the one that looks.
     pub but: Option<BodyId>,
-    /// The ground, if the world has one, whatever `mask` says.
-    pub ground: bool,
 }
 
-impl Default for Sees {
-    fn default() -> Self {
-        Self {
-            mask: group::ALL,
-            but: None,
-            ground: true,
-        }
+impl Sees {
+    fn ground(&self) -> bool {
+        self.kinds.contains(Kind::Ground)
     }
 }
 
@@ -271,7 +266,7 @@ impl Physics {
         let moving = Moving::new(shape, at)?;
         let line = Line::new(moving.at.p, direction_enu, range_m)?;
         let mut nearest = Nearest::none(line.range);
-        if sees.ground && self.ground.is_some() {
+        if sees.ground() && self.ground.is_some() {
             let gap = moving.form.gap_to_ground(moving.at);
             let sinks = -line.direction.z;
             let distance = if gap.distance <= 0.0 {
@@ -344,13 +339,12 @@ impl Physics {
 
     #[inline]
     fn visible(&self, id: u32, sees: &Sees) -> bool {
-        let [group, _] = self.filters[id as usize].groups();
-        group & sees.mask != 0 && sees.but != Some(BodyId(id))
+        sees.kinds.contains(self.kinds[id as usize]) && sees.but != Some(BodyId(id))
     }
 
     fn first_seen(&self, sight: &Sight<'_>, line: &Line, t: SimTime, sees: &Sees) -> Option<Hit> {
         let mut nearest = Nearest::none(line.range);
-        if sees.ground && self.ground.is_some() && line.from.z > 0.0 && line.direction.z < 0.0 {
+        if sees.ground() && self.ground.is_some() && line.from.z > 0.0 && line.direction.z < 0.0 {
             let distance = line.from.z / -line.direction.z;
             if distance <= line.range {
                 let point = line.from + line.direction * distance;

@@ -3,9 +3,10 @@
 
 use super::Cx;
 use crate::message::Thing;
+use crate::sees::SeesWhat;
 use crate::swarm::Swarm;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_physics::{BodyError, BodyId, Hit, Sees, Shape, State};
+use simbeeotic_physics::{BodyError, BodyId, Hit, Kind, Sees, Shape, State};
 use simbeeotic_units::{Accel, Enu, Length, Pose, Position, Twist, glam};
 use simbeeotic_world::World;
 
@@ -25,6 +26,8 @@ pub struct Ray {
 pub struct Seen {
     /// What it is.
     pub thing: Thing,
+    /// What it counts as: a person, say.
+    pub kind: Kind,
     /// How far the ray or the shape goes until then.
     pub distance: Length,
     /// Where on its surface.
@@ -34,11 +37,12 @@ pub struct Seen {
 }
 
 impl Swarm {
-    /// What each ray meets first, whoever looks being `but`.
+    /// What each ray meets first of `what`, whoever looks being `but`.
     pub(crate) fn cast_rays(
         &self,
         rays: &[Ray],
         now: SimTime,
+        what: SeesWhat,
         but: Option<BodyId>,
     ) -> Result<Vec<Option<Seen>>, BodyError> {
         let rays: Vec<_> = rays
@@ -51,7 +55,7 @@ impl Swarm {
             .collect();
         let mut hits = Vec::with_capacity(rays.len());
         self.physics
-            .cast_rays(&rays, now, &all_but(but), &mut hits)?;
+            .cast_rays(&rays, now, &sees(what, but), &mut hits)?;
         Ok(hits
             .into_iter()
             .map(|hit| hit.map(|h| self.seen(h)))
@@ -63,6 +67,9 @@ impl Swarm {
             thing: hit
                 .body
                 .map_or(Thing::Ground, |body| self.owners[body.index()]),
+            kind: hit
+                .body
+                .map_or(Kind::Ground, |body| self.physics.kind(body)),
             distance: Length::si(hit.distance_m),
             point: Position::from_si(hit.point_enu),
             normal: hit.normal_enu.to_array(),
@@ -70,10 +77,10 @@ impl Swarm {
     }
 }
 
-fn all_but(but: Option<BodyId>) -> Sees {
+fn sees(what: SeesWhat, but: Option<BodyId>) -> Sees {
     Sees {
+        kinds: what.kinds(),
         but,
-        ..Sees::default()
     }
 }
 
@@ -127,7 +134,12 @@ impl Cx<'_> {
 
     /// The same for many rays: one answer each, in their order. None at all if one of them is no ray.
     pub fn cast_rays(&mut self, rays: &[Ray]) -> Vec<Option<Seen>> {
-        let seen = self.swarm.cast_rays(rays, self.now, self.core.body);
+        self.cast_rays_seeing(rays, SeesWhat::default())
+    }
+
+    /// The same for rays that pass through all but `what`.
+    pub fn cast_rays_seeing(&mut self, rays: &[Ray], what: SeesWhat) -> Vec<Option<Seen>> {
+        let seen = self.swarm.cast_rays(rays, self.now, what, self.core.body);
         self.unless_refused(seen).unwrap_or_default()
     }
 
@@ -142,7 +154,10 @@ impl Cx<'_> {
         direction: [f64; 3],
         range: Length,
     ) -> Option<Seen> {
-        let (way, sees) = (glam::DVec3::from_array(direction), all_but(self.core.body));
+        let (way, sees) = (
+            glam::DVec3::from_array(direction),
+            sees(SeesWhat::default(), self.core.body),
+        );
         let (physics, now) = (&self.swarm.physics, self.now);
         let hit = physics.cast_shape(shape, at, way, range.get(), now, &sees);
         let hit = self.unless_refused(hit)??;
@@ -154,7 +169,7 @@ impl Cx<'_> {
     ///
     /// What physics refuses ends the run with an error that names this model.
     pub fn overlapping(&mut self, shape: &Shape, at: Pose) -> Vec<Thing> {
-        let (sees, mut bodies) = (all_but(self.core.body), Vec::new());
+        let (sees, mut bodies) = (sees(SeesWhat::default(), self.core.body), Vec::new());
         let physics = &self.swarm.physics;
         let found = physics.overlaps(shape, at, self.now, &sees, &mut bodies);
         self.unless_refused(found);

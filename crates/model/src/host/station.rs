@@ -3,7 +3,7 @@
 use super::{Cx, Gear, Host, Platform};
 use crate::behavior::BuildError;
 use crate::instance::Instance;
-use simbeeotic_physics::BodySpec;
+use simbeeotic_physics::{BodySpec, Kind, Mobility};
 
 /// Carries a thing with a body and gear that does not fly by itself: a hive, a beacon, a balloon.
 /// Its behaviour says what the body is ([`Behavior::body`](crate::Behavior::body)) and sees a
@@ -18,7 +18,14 @@ impl Host for Station {
     fn assemble(instance: &mut Instance<'_>, body: Option<BodySpec>) -> Result<Self, BuildError> {
         instance.refuse_vehicle("a station")?;
         let body = body.ok_or_else(|| BuildError::other("its behaviour gives it no body"))?;
-        instance.add_body(body)?;
+        let kind = match body.mobility {
+            Mobility::Driven => Kind::Ghost,
+            _ => Kind::Station,
+        };
+        instance.add_body(BodySpec {
+            kind: body.kind.or(Some(kind)),
+            ..body
+        })?;
         Ok(Self {
             gear: Gear::assemble(instance)?,
         })

@@ -4,5 +4,6 @@ mod agents;
 mod flight;
 mod pushes;
 mod refusals;
+mod sight;
 mod solid;
 mod swarm;

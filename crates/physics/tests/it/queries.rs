@@ -3,8 +3,8 @@
 use crate::worlds::{ball, floating, in_space, on_ground, run, seconds, stream, surface};
 use simbeeotic_kernel::{SimTime, rng::Stream};
 use simbeeotic_physics::{
-    BodyError, BodyId, BodySpec, Contacts, HeightField, Hit, Hull, Mesh, Mobility, Part, Physics,
-    Ray, Sees, Shape, group,
+    BodyError, BodyId, BodySpec, Contacts, HeightField, Hit, Hull, Kind, Kinds, Mesh, Mobility,
+    Part, Physics, Ray, Sees, Shape, group,
 };
 use simbeeotic_units::glam::{DQuat, DVec2, DVec3};
 use simbeeotic_units::{Attitude, Pose, Position};
@@ -234,7 +234,7 @@ fn the_ground_is_seen_from_above_if_there_is_one() {
         (
             down,
             Sees {
-                ground: false,
+                kinds: Kinds::ALL.without(Kind::Ground),
                 ..sees
             },
         ),
@@ -273,25 +273,27 @@ fn what_a_ray_begins_in_it_does_not_see() {
 }
 
 #[test]
-fn groups_that_are_not_looked_for_are_not_seen() {
+fn kinds_that_are_not_looked_for_are_not_seen_whatever_their_groups_and_contacts() {
     let mut physics = in_space();
-    for (k, group) in [group::BEE, group::FLOWER, group::HIVE, group::NONE]
+    for (k, kind) in [Kind::Vehicle, Kind::Flower, Kind::Station, Kind::Person]
         .into_iter()
         .enumerate()
     {
         let p = DVec3::X * (1.0 + k as f64);
-        physics
-            .add(BodySpec {
-                group,
-                mask: group::NONE,
-                ..floating(p, DVec3::ZERO)
-            })
-            .unwrap();
+        let body = BodySpec {
+            group: group::NONE,
+            mask: group::NONE,
+            contacts: Contacts::None,
+            kind: Some(kind),
+            ..floating(p, DVec3::ZERO)
+        };
+        let id = physics.add(body).unwrap();
+        assert_eq!(physics.kind(id), kind);
     }
-    let seen = |mask: u16| {
+    let seen = |kinds: &[Kind]| {
         let ray = ray(DVec3::ZERO, DVec3::X, 10.0);
         let sees = Sees {
-            mask,
+            kinds: Kinds::of(kinds),
             ..Sees::default()
         };
         physics
@@ -299,11 +301,27 @@ fn groups_that_are_not_looked_for_are_not_seen() {
             .unwrap()
             .map(|hit| hit.body.unwrap().0)
     };
-    assert_eq!(seen(group::ALL), Some(0));
-    assert_eq!(seen(group::FLOWER), Some(1));
-    assert_eq!(seen(group::HIVE | group::FLOWER), Some(1));
-    assert_eq!(seen(group::HIVE), Some(2));
-    assert_eq!(seen(group::NONE), None);
+    assert_eq!(seen(&Kind::ALL), Some(0));
+    assert_eq!(seen(&[Kind::Flower]), Some(1));
+    assert_eq!(seen(&[Kind::Station, Kind::Flower]), Some(1));
+    assert_eq!(seen(&[Kind::Station]), Some(2));
+    assert_eq!(seen(&[Kind::Person]), Some(3));
+    assert_eq!(seen(&[Kind::Terrain, Kind::Obstacle, Kind::Ghost]), None);
+    assert_eq!(seen(&[]), None);
+}
+
+#[test]
+fn what_is_driven_is_a_ghost_and_all_else_a_vehicle_unless_it_says_otherwise() {
+    let body = |mobility: Mobility, kind: Option<Kind>| BodySpec {
+        mobility,
+        kind,
+        ..BodySpec::new(Shape::Sphere { radius_m: 0.1 }, 0.1)
+    };
+    assert_eq!(body(Mobility::Free, None).kind(), Kind::Vehicle);
+    assert_eq!(body(Mobility::Fixed, None).kind(), Kind::Vehicle);
+    assert_eq!(body(Mobility::Driven, None).kind(), Kind::Ghost);
+    let person = body(Mobility::Driven, Some(Kind::Person));
+    assert_eq!(person.kind(), Kind::Person);
 }
 
 #[test]
@@ -332,7 +350,7 @@ fn of_two_at_one_distance_the_first_counts_and_the_ground_last() {
         assert_eq!((hit.body.map(|id| id.0), hit.distance_m), (body, 2.0));
     }
     let none = Sees {
-        mask: group::NONE,
+        kinds: Kinds::of(&[Kind::Ground]),
         ..Sees::default()
     };
     assert_eq!(
@@ -454,12 +472,16 @@ fn motley(stream: &mut Stream, count: u32, centre: DVec3, ground: bool) -> Physi
             contacts,
             mobility,
             inertia_kg_m2: DVec3::ONE,
-            group: 1 << (id % 7),
+            kind: Some(kind_of(id)),
             ..BodySpec::new(shape, 0.1)
         };
         physics.add(spec).unwrap();
     }
     physics
+}
+
+fn kind_of(id: u32) -> Kind {
+    Kind::ALL[1 + id as usize % 7]
 }
 
 fn turn(stream: &mut Stream) -> DQuat {
@@ -477,13 +499,16 @@ fn still(physics: &Physics, t: SimTime, ground: bool) -> Physics {
     };
     for id in (0..physics.len() as u32).map(BodyId) {
         let state = physics.motion(id).at(t);
-        let group = if id.0 < COUNT { 1 << (id.0 % 7) } else { 1 };
         let spec = fixed(
             physics.shape(id).clone(),
             state.p_enu,
             state.world_from_body,
         );
-        copy.add(BodySpec { group, ..spec }).unwrap();
+        copy.add(BodySpec {
+            kind: Some(physics.kind(id)),
+            ..spec
+        })
+        .unwrap();
     }
     copy
 }
@@ -518,9 +543,13 @@ fn questions(stream: &mut Stream, centre: DVec3) -> Vec<Question> {
                 stream.uniform_in(0.5..40.0),
             ),
             sees: Sees {
-                mask: if k % 3 == 0 { 0b101_0101 } else { group::ALL },
+                kinds: match (k % 3, k % 5) {
+                    (0, 0) => Kinds::of(&[Kind::Terrain, Kind::Structure, Kind::Person]),
+                    (0, _) => Kinds::ALL.without(Kind::Obstacle).without(Kind::Flower),
+                    (_, 0) => Kinds::ALL.without(Kind::Ground),
+                    _ => Kinds::ALL,
+                },
                 but: (k % 2 == 0).then_some(BodyId(k)),
-                ground: k % 5 != 0,
             },
             shape: if k % 2 == 0 {
                 Shape::Sphere {
