@@ -172,6 +172,23 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
         }
     }
 
+    /// Calls `handler` for each sample of a sensor with a rate, when it arrives; the handler reads
+    /// it. The same handle as from [`sensor`](Self::sensor).
+    ///
+    /// # Errors
+    /// No sensor has this name, or its readings are of another type. That it has no rate fails the
+    /// build later.
+    pub fn on_sample<R: 'static>(
+        &mut self,
+        name: &str,
+        handler: Handler<B, H>,
+    ) -> Result<Handle<R>, BuildError> {
+        let handle = self.gear.sensor(name)?;
+        let call = self.call(handler);
+        self.listeners.push((name.to_owned(), handle.index, call));
+        Ok(handle)
+    }
+
     /// The platform's radio, the first if there are several.
     ///
     /// # Errors

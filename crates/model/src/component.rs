@@ -13,6 +13,12 @@ pub trait Component: Send {
     /// Virtual time between observations; `None`: only start and end.
     fn period(&self) -> Option<Time>;
 
+    /// Whether it looks at what sensors measure ([`Mark::Sensed`](crate::Mark)): nothing is noted
+    /// for nobody.
+    fn wants_readings(&self) -> bool {
+        false
+    }
+
     /// Called once, before the first event.
     ///
     /// # Errors

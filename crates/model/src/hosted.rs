@@ -1,11 +1,12 @@
 //! A behaviour on its host: the model behind every vehicle, station and planner.
 
 use crate::behavior::{Behavior, BuildError, Declared, Handler};
-use crate::host::{Cx, Host};
+use crate::host::{Cx, Host, Platform};
 use crate::instance::Instance;
 use crate::kit::Kit;
 use crate::model::{Model, Wake};
 use crate::timer::{Call, TimerHandle};
+use simbeeotic_units::Time;
 use std::sync::{Arc, OnceLock};
 
 /// Timer 0 belongs to the host's control law, whether it has one or not.
@@ -32,13 +33,22 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
         instance: &mut Instance<'_>,
         known: &OnceLock<Handlers<B, H>>,
     ) -> Result<Self, BuildError> {
-        let host = H::assemble(instance, B::body(&params))?;
+        let mut host = H::assemble(instance, B::body(&params))?;
         let mut kit = Kit::new(
             Arc::clone(&instance.gear),
             Arc::clone(&instance.path),
             instance.seed,
         );
         let behavior = B::build(params, &mut kit)?;
+        for (name, sensor, call) in std::mem::take(&mut kit.listeners) {
+            let rated = host.gear().is_some_and(|gear| gear.on_sample(sensor, call));
+            if !rated {
+                let message = format!(
+                    "it waits for samples of `{name}`, which measures on demand; give it a `rate`"
+                );
+                kit.fault.get_or_insert(BuildError::other(message));
+            }
+        }
         match kit.fault {
             Some(fault) => Err(fault),
             None => Ok(Self {
@@ -73,6 +83,16 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
         for timer in std::mem::take(&mut self.declared) {
             cx.create_timer(timer.call, timer.first, timer.period);
         }
+        let timings = self.host.gear().map(|gear| gear.timings());
+        for (sensor, [first, period, delay]) in timings.unwrap_or_default() {
+            let Some(call) = Call::sensor(sensor) else {
+                continue;
+            };
+            cx.create_timer(call, Some(first), Some(period));
+            if delay > Time::ZERO {
+                cx.create_timer(call, Some(first + delay), Some(period));
+            }
+        }
     }
 
     fn wake(&mut self, wake: Wake<'_>, cx: &mut Cx<'_>) {
@@ -88,7 +108,15 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
                 host.control(cx.reborrow());
             }
             Wake::Timer(timer) => {
-                let call = cx.call_of(timer);
+                let mut call = cx.call_of(timer);
+                if let Some(sensor) = call.as_sensor() {
+                    let Some(gear) = host.gear() else { return };
+                    let platform = &mut Platform::new(cx.reborrow(), gear);
+                    let Some(heard) = platform.take_sample(sensor) else {
+                        return;
+                    };
+                    call = heard;
+                }
                 if let Some(handler) = handlers.get(usize::from(call.0)) {
                     handler(behavior, &mut host.view(cx.reborrow()));
                 }
@@ -97,7 +125,12 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
                 behavior.on_message(message, &mut host.view(cx.reborrow()));
             }
             Wake::Packets(inbox) => behavior.on_packets(inbox, &mut host.view(cx.reborrow())),
-            Wake::Touch(touch) => behavior.on_contact(touch, &mut host.view(cx.reborrow())),
+            Wake::Touch(touch) => {
+                if let Some(gear) = host.gear() {
+                    Platform::new(cx.reborrow(), gear).touched(touch);
+                }
+                behavior.on_contact(touch, &mut host.view(cx.reborrow()));
+            }
         }
     }
 

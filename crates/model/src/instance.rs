@@ -2,13 +2,14 @@
 
 use crate::behavior::BuildError;
 use crate::kit::RadioHandle;
-use crate::registry::{SensorFactory, VehicleFactory};
+use crate::registry::{SensorFactory, SensorKit, VehicleFactory};
+use crate::sampling::Sampling;
 use crate::sensor::{AnySensor, Handle};
 use crate::vehicle::{AnyVehicle, VehicleKit};
 use simbeeotic_kernel::{ModelId, rng::path_key};
 use simbeeotic_physics::{BodyId, BodySpec, Physics};
 use simbeeotic_radio::{Antenna, Medium, RadioId, RadioSpec};
-use simbeeotic_units::{Mount, Pose};
+use simbeeotic_units::{Current, Mount, Pose};
 use std::any::TypeId;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -31,6 +32,10 @@ pub struct SensorPlan {
     pub factory: Arc<dyn SensorFactory>,
     /// Where it sits.
     pub mount: Mount,
+    /// When it is read.
+    pub sampling: Sampling,
+    /// The current it draws while it is on; `None`: what its kind says.
+    pub current: Option<Current>,
 }
 
 /// One radio of a [`GearPlan`].
@@ -154,10 +159,12 @@ impl Instance<'_> {
     pub(crate) fn sensors(&self) -> Result<Box<[Box<dyn AnySensor>]>, BuildError> {
         let sensors = self.gear.sensors.iter().map(|plan| {
             let path = format!("{}/{}", self.path, plan.name);
-            plan.factory.build(
-                plan.mount,
-                simbeeotic_kernel::Stream::new(self.seed, &path, "noise"),
-            )
+            plan.factory.build(&SensorKit {
+                mount: plan.mount,
+                sampling: plan.sampling,
+                seed: self.seed,
+                path: &path,
+            })
         });
         sensors.collect()
     }

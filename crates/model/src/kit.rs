@@ -4,6 +4,7 @@ use crate::behavior::{Declared, Handler};
 use crate::config::{Fault, fault::list};
 use crate::host::{Flying, Host};
 use crate::instance::GearPlan;
+use crate::timer::Call;
 use simbeeotic_physics::BodyError;
 use simbeeotic_radio::RadioError;
 use simbeeotic_units::Time;
@@ -16,6 +17,8 @@ pub struct Kit<B, H: Host = Flying> {
     pub(crate) seed: u64,
     pub(crate) handlers: Vec<Handler<B, H>>,
     pub(crate) declared: Vec<Declared>,
+    /// Sensors whose samples are waited for.
+    pub(crate) listeners: Vec<(String, u16, Call)>,
     pub(crate) fault: Option<BuildError>,
 }
 
@@ -27,6 +30,7 @@ impl<B, H: Host> Kit<B, H> {
             seed,
             handlers: Vec::new(),
             declared: Vec::new(),
+            listeners: Vec::new(),
             fault: None,
         }
     }

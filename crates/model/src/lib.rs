@@ -27,13 +27,16 @@ pub mod energy;
 mod fold;
 pub mod host;
 mod hosted;
+mod image;
 pub mod instance;
 mod kit;
 pub mod message;
 pub mod model;
 pub mod objects;
 pub mod population;
+mod reading;
 pub mod registry;
+mod sampling;
 pub mod sees;
 pub mod sensor;
 pub mod simulation;
@@ -48,12 +51,15 @@ pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
 pub use energy::{Accounts, Consumer};
 pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Station};
+pub use image::{Image, Pixels};
 pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
+pub use reading::{Column, Reading};
 pub use registry::{FromParams, Radio};
+pub use sampling::{Sample, SamplePhase, Sampling};
 pub use sees::SeesWhat;
-pub use sensor::{Handle, Sensor};
+pub use sensor::{Handle, Sensor, Taken};
 pub use simulation::{ModelPlan, Outcome, Setup, SetupError, Simulation, SimulationError};
 pub use summary::Summary;
 pub use swarm::Mark;
@@ -87,8 +93,8 @@ pub mod prelude {
         Rate, Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
-        Behavior, BuildError, Call, Consumer, Handle, Kit, Message, RadioHandle, SeesWhat, Sensor,
-        Thing, TimerHandle, Touch, Truth,
+        Behavior, BuildError, Call, Column, Consumer, Handle, Image, Kit, Message, RadioHandle,
+        Reading, Sample, SeesWhat, Sensor, Thing, TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

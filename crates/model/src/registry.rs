@@ -13,6 +13,7 @@ use crate::host::Host;
 use crate::hosted::{Handlers, Hosted};
 use crate::instance::Instance;
 use crate::model::Model;
+use crate::sampling::{Sampler, Sampling};
 use crate::sensor::{AnySensor, Mounted, Sensor};
 use crate::vehicle::{AnyVehicle, Carried, Vehicle, VehicleKit};
 use schemars::Schema;
@@ -157,7 +158,20 @@ pub trait SensorFactory: Send + Sync {
     ///
     /// # Errors
     /// Parameters out of range.
-    fn build(&self, mount: Mount, stream: Stream) -> Result<Box<dyn AnySensor>, BuildError>;
+    fn build(&self, kit: &SensorKit<'_>) -> Result<Box<dyn AnySensor>, BuildError>;
+}
+
+/// What one sensor is built from, besides its parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct SensorKit<'a> {
+    /// Where it sits.
+    pub mount: Mount,
+    /// When it is read.
+    pub sampling: Sampling,
+    /// The master seed.
+    pub seed: u64,
+    /// Its path: `bee-17/compass`.
+    pub path: &'a str,
 }
 
 /// A part that needs nothing but its parameters: antennas, propagation, weather, components.
@@ -360,12 +374,15 @@ impl<S: Sensor> SensorFactory for MakeSensor<S> {
         )
     }
 
-    fn build(&self, mount: Mount, stream: Stream) -> Result<Box<dyn AnySensor>, BuildError> {
+    fn build(&self, kit: &SensorKit<'_>) -> Result<Box<dyn AnySensor>, BuildError> {
+        let stream = |purpose| Stream::new(kit.seed, kit.path, purpose);
+        let sampler = Sampler::new(&kit.sampling, || stream(Sampling::PURPOSE));
         match S::build(self.0.params.clone()) {
             Ok(sensor) => Ok(Box::new(Mounted {
                 sensor,
-                mount: (mount != Mount::IDENTITY).then(|| Box::new(mount)),
-                stream,
+                mount: (kit.mount != Mount::IDENTITY).then(|| Box::new(kit.mount)),
+                stream: stream("noise"),
+                sampler: sampler.map(Box::new),
             })),
             Err(error) => Err(BuildError::Placed(self.0.place(error))),
         }

@@ -7,23 +7,33 @@
 //! ```text
 //! [model.sensor.compass]        kit.sensor::<Heading>("compass")?      bee.read(self.compass)
 //! use = "compass"          ->   Handle<Heading>                   ->   Heading
+//! rate = "50 Hz"                kit.on_sample("compass", Self::turned)?
 //! ```
 
 use crate::behavior::BuildError;
 use crate::config::Params;
+use crate::image::Image;
+use crate::message::Touch;
+use crate::reading::{Column, Reading};
+use crate::sampling::{Sample, Sampler};
+use crate::timer::Call;
 use crate::view::Truth;
-use simbeeotic_kernel::Stream;
-use simbeeotic_units::Mount;
+use simbeeotic_kernel::{SimTime, Stream};
+use simbeeotic_units::{Current, Mount, Time};
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
 
 /// A kind of sensor. Register it with `#[sensor("name")]`.
+///
+/// A reading is made in two steps: what a perfect sensor would read, and what this one makes of it.
+/// So the truth is at hand beside each reading, for the recording and for tests.
 pub trait Sensor: Sized + Send + 'static {
-    /// What the scenario may set.
+    /// What the scenario may set. The keys `use`, `mount`, `rate`, `phase`, `delay`, `dropout` and
+    /// `current` are every sensor's.
     type Params: Params;
     /// What one reading is: a quantity or a struct of them.
-    type Reading: Send + 'static;
+    type Reading: Reading;
 
     /// Makes one.
     ///
@@ -31,8 +41,24 @@ pub trait Sensor: Sized + Send + 'static {
     /// Parameters out of range, by [`BuildError::parameter`].
     fn build(params: Self::Params) -> Result<Self, BuildError>;
 
-    /// Takes one reading of `truth`. `rng` is this sensor's own stream.
-    fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Self::Reading;
+    /// What a perfect sensor in this place would read.
+    fn ideal(&mut self, truth: &Truth<'_>) -> Self::Reading;
+
+    /// What this sensor reads instead: noise, bias, limits. `rng` is this sensor's own stream.
+    fn measure(
+        &mut self,
+        ideal: Self::Reading,
+        truth: &Truth<'_>,
+        rng: &mut Stream,
+    ) -> Self::Reading;
+
+    /// Called when its host's body touches something, before its behaviour hears of it.
+    fn touched(&mut self, _touch: &Touch, _truth: &Truth<'_>) {}
+
+    /// The current it draws while it is on, unless the scenario says another.
+    fn current(&self) -> Current {
+        Current::ZERO
+    }
 }
 
 /// A checked way to one sensor of one's own platform, with readings of type `R`.
@@ -57,22 +83,138 @@ impl<R> fmt::Debug for Handle<R> {
 
 /// A [`Sensor`] on its platform, its type forgotten. Every sensor becomes one.
 pub trait AnySensor: Send {
-    /// Writes a reading into `out`, an `Option<Reading>`.
+    /// Writes what a behaviour reads now into `out`, an `Option<Sample<Reading>>`.
     fn read_into(&mut self, truth: &mut Truth<'_>, out: &mut dyn Any);
+
+    /// First sample and period, if it has a rate; and the delay, if a method waits for samples.
+    fn timing(&self) -> Option<(Time, Time, Time)>;
+
+    /// Takes the sample that is due now, if one is.
+    fn sample(&mut self, truth: &mut Truth<'_>);
+
+    /// The behaviour's method that hears of a sample that arrives just now, if there are both.
+    fn arrived(&mut self, now: SimTime) -> Option<Call>;
+
+    /// Has `call` made for each sample that arrives. Whether it has a rate.
+    fn on_sample(&mut self, call: Call) -> bool;
+
+    /// See [`Sensor::touched`].
+    fn touched(&mut self, touch: &Touch, truth: &mut Truth<'_>);
+
+    /// See [`Sensor::current`].
+    fn current(&self) -> Current;
 }
 
-pub(crate) struct Mounted<S> {
+/// A reading and the truth beside it, as numbers and pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Taken {
+    /// What the numbers are, repeated as often as there are rows.
+    pub columns: &'static [Column],
+    /// What a perfect sensor would have read.
+    pub ideal: Vec<f64>,
+    /// What this one read.
+    pub reading: Vec<f64>,
+    /// The pictures in the reading, by name.
+    pub images: Vec<(&'static str, Image)>,
+}
+
+pub(crate) struct Mounted<S: Sensor> {
     pub(crate) sensor: S,
     /// `None`: at the body's origin, looking forward, as most are. A mount has 56 bytes.
     pub(crate) mount: Option<Box<Mount>>,
     pub(crate) stream: Stream,
+    /// `None`: on demand, and nothing is lost.
+    pub(crate) sampler: Option<Box<Sampler<S::Reading>>>,
+}
+
+impl<S: Sensor> Mounted<S> {
+    fn aim(&self, truth: &mut Truth<'_>) {
+        truth.mount = self.mount.as_deref().copied().unwrap_or_default();
+    }
+}
+
+/// One measurement, noted if anybody records it.
+fn measure<S: Sensor>(sensor: &mut S, truth: &mut Truth<'_>, rng: &mut Stream) -> S::Reading {
+    let ideal = sensor.ideal(truth);
+    if !truth.swarm.keep_readings {
+        return sensor.measure(ideal, truth, rng);
+    }
+    let reading = sensor.measure(ideal.clone(), truth, rng);
+    let mut taken = Taken {
+        columns: S::Reading::COLUMNS,
+        ideal: Vec::new(),
+        reading: Vec::new(),
+        images: Vec::new(),
+    };
+    ideal.numbers(&mut taken.ideal);
+    reading.numbers(&mut taken.reading);
+    for (name, image) in reading.images() {
+        taken.images.push((name, image.clone()));
+    }
+    truth.taken = Some(Box::new(taken));
+    reading
 }
 
 impl<S: Sensor> AnySensor for Mounted<S> {
     fn read_into(&mut self, truth: &mut Truth<'_>, out: &mut dyn Any) {
-        truth.mount = self.mount.as_deref().copied().unwrap_or_default();
-        if let Some(out) = out.downcast_mut::<Option<S::Reading>>() {
-            *out = Some(self.sensor.read(truth, &mut self.stream));
+        self.sample(truth);
+        let now = truth.now;
+        let Self {
+            sensor,
+            sampler,
+            stream,
+            ..
+        } = self;
+        let sample = match sampler {
+            Some(sampler) => sampler.read(now, stream, |rng| measure(sensor, truth, rng)),
+            None => Sample {
+                taken: now,
+                reading: measure(sensor, truth, stream),
+            },
+        };
+        if let Some(out) = out.downcast_mut::<Option<Sample<S::Reading>>>() {
+            *out = Some(sample);
         }
+    }
+
+    fn timing(&self) -> Option<(Time, Time, Time)> {
+        let sampler = self.sampler.as_ref()?;
+        let (first, period) = sampler.timing()?;
+        let delay = sampler.call.map_or(Time::ZERO, |_| sampler.delay());
+        Some((first, period, delay))
+    }
+
+    fn sample(&mut self, truth: &mut Truth<'_>) {
+        self.aim(truth);
+        let now = truth.now;
+        let Self {
+            sensor,
+            sampler,
+            stream,
+            ..
+        } = self;
+        if let Some(sampler) = sampler {
+            sampler.sample(now, stream, |rng| measure(sensor, truth, rng));
+        }
+    }
+
+    fn arrived(&mut self, now: SimTime) -> Option<Call> {
+        let sampler = self.sampler.as_mut()?;
+        let call = sampler.call?;
+        sampler.arrives(now).then_some(call)
+    }
+
+    fn on_sample(&mut self, call: Call) -> bool {
+        let sampler = self.sampler.as_mut().filter(|s| s.timing().is_some());
+        sampler.map(|sampler| sampler.call = Some(call)).is_some()
+    }
+
+    fn touched(&mut self, touch: &Touch, truth: &mut Truth<'_>) {
+        self.aim(truth);
+        self.sensor.touched(touch, truth);
+    }
+
+    fn current(&self) -> Current {
+        self.sensor.current()
     }
 }

@@ -11,9 +11,11 @@
 use crate::energy::{Accounts, Consumer};
 use crate::fold;
 use crate::host::Cx;
+use crate::instance::GearPlan;
 use crate::message::{Message, Thing, Touch};
 use crate::model::{Model, Wake as ModelWake};
 use crate::population::Population;
+use crate::sensor::Taken;
 use crate::timer::TimerHandle;
 use simbeeotic_kernel::{
     Committing, Domain, Event, ModelId, Opening, Outbox, SimTime, Stream, Timers, Visit, Wake,
@@ -104,6 +106,8 @@ pub enum Effect {
         /// What it is counted in.
         unit: &'static str,
     },
+    /// A sensor has measured; noted for recorders only.
+    Sensed(u16, Box<Taken>),
     /// A message has been read: whose, and which.
     Read(ModelId, u32),
 }
@@ -132,6 +136,17 @@ pub enum Mark {
         model: ModelId,
         /// What.
         text: String,
+    },
+    /// A sensor measured.
+    Sensed {
+        /// When.
+        time: SimTime,
+        /// Who carries it.
+        model: ModelId,
+        /// Which of its sensors, in the scenario's order.
+        sensor: u16,
+        /// What it read, and what was true.
+        taken: Box<Taken>,
     },
     /// A model published a number.
     Metric {
@@ -176,6 +191,10 @@ pub struct Swarm {
     pub(crate) marks: Vec<Mark>,
     /// Whether anybody looks at the marks.
     pub(crate) keep_marks: bool,
+    /// Whether anybody looks at what sensors measure.
+    pub(crate) keep_readings: bool,
+    /// The names of each model's sensors: those of one section share them.
+    pub(crate) gear: Vec<Arc<GearPlan>>,
     /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
     pub(crate) radio_nanos: AtomicU64,
     pub(crate) medium_nanos: u64,
@@ -486,6 +505,15 @@ impl Domain for Swarm {
                     name,
                     value,
                     unit,
+                });
+            }
+            Effect::Sensed(sensor, taken) => {
+                let time = cx.now();
+                self.mark(|| Mark::Sensed {
+                    time,
+                    model: id,
+                    sensor,
+                    taken,
                 });
             }
             Effect::Read(sender, number) => {

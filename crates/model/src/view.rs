@@ -3,10 +3,13 @@
 use crate::host::{Ray, Seen};
 use crate::population::Population;
 use crate::sees::SeesWhat;
+use crate::sensor::Taken;
 use crate::swarm::{Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_physics::BodyError;
-use simbeeotic_units::{Accel, Enu, Flu, Length, Mount, Pose, Twist, Velocity, glam};
+use simbeeotic_physics::{BodyError, Motion};
+use simbeeotic_units::{
+    Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Rate, Twist, Velocity, glam,
+};
 use simbeeotic_world::World;
 
 /// The truth about a platform and its surroundings, from which a sensor makes a reading.
@@ -14,10 +17,12 @@ pub struct Truth<'a> {
     pub(crate) now: SimTime,
     pub(crate) pose: Pose,
     pub(crate) twist: Twist,
-    pub(crate) acceleration: Accel<Enu>,
+    pub(crate) motion: &'a Motion,
     pub(crate) host: ModelId,
     pub(crate) mount: Mount,
     pub(crate) swarm: &'a Swarm,
+    /// What has been measured, if anybody records it.
+    pub(crate) taken: Option<Box<Taken>>,
 }
 
 impl Truth<'_> {
@@ -43,7 +48,12 @@ impl Truth<'_> {
 
     /// The host's acceleration in the world frame, gravity included.
     pub fn acceleration(&self) -> Accel<Enu> {
-        self.acceleration
+        Accel::from_si(self.motion.acceleration())
+    }
+
+    /// How the host's body rate changes, body frame, rad/s².
+    pub fn angular_acceleration(&self) -> [f64; 3] {
+        self.motion.angular_acceleration(self.now).to_array()
     }
 
     /// The host's specific force in its body frame: what an accelerometer at the centre of mass
@@ -52,7 +62,37 @@ impl Truth<'_> {
         let lift = glam::DVec3::new(0.0, 0.0, self.swarm.gravity().get());
         self.pose
             .attitude
-            .unrotate(Accel::from_si(self.acceleration.si() + lift))
+            .unrotate(Accel::from_si(self.acceleration().si() + lift))
+    }
+
+    /// The specific force where the sensor sits, in the sensor's own frame. Away from the centre of
+    /// mass it is more than [`specific_force`](Self::specific_force) by `alpha x r + w x (w x r)`.
+    pub fn sensor_specific_force(&self) -> Accel<Flu> {
+        let (r, w) = (self.mount.position.si(), self.twist.angular.si());
+        let alpha = glam::DVec3::from_array(self.angular_acceleration());
+        let felt = self.specific_force().si() + alpha.cross(r) + w.cross(w.cross(r));
+        self.mount.attitude.unrotate(Accel::from_si(felt))
+    }
+
+    /// The body rate in the sensor's own frame.
+    pub fn sensor_rate(&self) -> Rate<Flu> {
+        let in_body = Rate::<Enu>::from_si(self.twist.angular.si());
+        self.mount.attitude.unrotate(in_body)
+    }
+
+    /// The velocity of the place where the sensor sits, world frame: `v + w x r`.
+    pub fn sensor_velocity(&self) -> Velocity<Enu> {
+        let (r, w) = (self.mount.position.si(), self.twist.angular.si());
+        let round = self
+            .pose
+            .attitude
+            .rotate(Velocity::<Flu>::from_si(w.cross(r)));
+        self.twist.linear + round
+    }
+
+    /// Acceleration of free fall; positive is downwards.
+    pub fn gravity(&self) -> Acceleration {
+        self.swarm.gravity()
     }
 
     /// Where the sensor sits on its host.
@@ -143,6 +183,14 @@ impl<'a> View<'a> {
     /// The world's objects.
     pub fn world(&self) -> &'a World {
         &self.swarm.world
+    }
+
+    /// The names of a model's sensors, in the scenario's order.
+    pub fn sensors(&self, id: ModelId) -> impl Iterator<Item = &'a str> + 'a {
+        let gear = self.swarm.gear.get(id.index());
+        gear.into_iter()
+            .flat_map(|g| g.sensors.iter())
+            .map(|s| s.name.as_str())
     }
 
     /// The models that have a body, by id.

@@ -9,7 +9,8 @@ use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
 use simbeeotic_model::registry::{Kind, Part, of_kind};
 use simbeeotic_units::{
-    Attitude, Decibels, Heading, Length, Offset, Position, PowerLevel, Time, Yaw,
+    Attitude, Current, Decibels, Frequency, Heading, Length, Offset, Position, PowerLevel, Time,
+    Yaw,
 };
 use simbeeotic_world::World;
 
@@ -298,9 +299,43 @@ fn mount(all: &mut Definitions) -> Value {
     table(properties, "Where it sits on the body, and where it looks.")
 }
 
+/// The keys of every sensor that say when it is read, and what it draws.
+fn sampling(all: &mut Definitions) -> Map<String, Value> {
+    entries([
+        (
+            "rate",
+            all.of::<Frequency>("How often it measures by itself; without it, when it is read."),
+        ),
+        (
+            "phase",
+            json!({
+                "type": "string",
+                "description": "When it measures first: `aligned` (at the start), `random` (some time in the first period), or a time."
+            }),
+        ),
+        (
+            "delay",
+            all.of::<Time>("From the measurement to its arrival. 0 unless said."),
+        ),
+        (
+            "dropout",
+            json!({
+                "type": "number", "minimum": 0, "maximum": 1,
+                "description": "Probability that a measurement is lost. 0 unless said."
+            }),
+        ),
+        (
+            "current",
+            all.of::<Current>("What it draws while it is on; unless said, what its kind does."),
+        ),
+    ])
+}
+
 fn model(all: &mut Definitions) -> Value {
     let mounted = entries([("mount", mount(all))]);
-    let sensor = one_of(all, Kind::Sensor, &mounted, "A sensor.");
+    let mut sampled = mounted.clone();
+    sampled.extend(sampling(all));
+    let sensor = one_of(all, Kind::Sensor, &sampled, "A sensor.");
     let antenna = one_of(all, Kind::Antenna, &Map::new(), "An antenna pattern.");
     let mut aerial = mounted;
     aerial.insert(

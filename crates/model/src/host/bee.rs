@@ -38,6 +38,10 @@ impl Host for Flying {
         }
     }
 
+    fn gear(&mut self) -> Option<&mut Gear> {
+        Some(&mut self.gear)
+    }
+
     fn control_timing(&mut self) -> Option<(Time, Time)> {
         self.vehicle.control_timing()
     }

@@ -36,7 +36,7 @@ impl<'a> Entity<'a> {
     }
 
     #[inline]
-    fn motion(&self) -> &Motion {
+    pub(crate) fn motion(&self) -> &Motion {
         match &*self.cx.own {
             Some(own) => &own.motion,
             None => self.cx.swarm.physics.motion(self.body),

@@ -25,8 +25,7 @@ pub use bee::{Bee, Flying};
 pub use bodiless::Bodiless;
 pub use cx::Cx;
 pub use entity::Entity;
-pub(crate) use platform::Gear;
-pub use platform::Platform;
+pub use platform::{Gear, Platform};
 pub use sight::{Ray, Seen};
 pub use station::Station;
 
@@ -54,6 +53,12 @@ pub trait Host: Sized + Send + 'static {
 
     /// The view for one call.
     fn view<'a>(&'a mut self, cx: Cx<'a>) -> Self::View<'a>;
+
+    /// Its sensors, if it carries any.
+    #[doc(hidden)]
+    fn gear(&mut self) -> Option<&mut Gear> {
+        None
+    }
 
     /// First run and period of the host's own control law, if it has one.
     fn control_timing(&mut self) -> Option<(Time, Time)> {

@@ -5,21 +5,39 @@ use crate::behavior::BuildError;
 use crate::energy::{Accounts, Consumer};
 use crate::instance::Instance;
 use crate::kit::RadioHandle;
+use crate::message::Touch;
+use crate::sampling::Sample;
 use crate::sensor::{AnySensor, Handle};
 use crate::swarm::Effect;
+use crate::timer::Call;
 use crate::view::Truth;
 use simbeeotic_kernel::ModelId;
 use simbeeotic_radio::{Command, Counters, RadioId, RadioState, Request, Ticket};
-use simbeeotic_units::{Charge, Mount};
+use simbeeotic_units::{Charge, Mount, Time};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// The sensors of one platform. Radios and accounts live with the model's core.
-pub(crate) struct Gear {
+pub struct Gear {
     sensors: Box<[Box<dyn AnySensor>]>,
 }
 
 impl Gear {
+    /// The calls of sensors that measure by themselves: first sample, period and delay of each.
+    pub(crate) fn timings(&self) -> Vec<(usize, [Time; 3])> {
+        let sensors = self.sensors.iter().enumerate();
+        let timings = sensors.filter_map(|(at, sensor)| {
+            let (first, period, delay) = sensor.timing()?;
+            Some((at, [first, period, delay]))
+        });
+        timings.collect()
+    }
+
+    /// Has `call` made for each sample of a sensor that arrives. Whether it has a rate.
+    pub(crate) fn on_sample(&mut self, sensor: u16, call: Call) -> bool {
+        self.sensors[usize::from(sensor)].on_sample(call)
+    }
+
     pub(crate) fn assemble(instance: &mut Instance<'_>) -> Result<Self, BuildError> {
         instance.add_radios()?;
         Ok(Self {
@@ -43,25 +61,63 @@ impl<'a> Platform<'a> {
         }
     }
 
-    /// Takes one reading.
+    /// Takes one reading; of a sensor with a rate of its own, the newest sample that has arrived.
     pub fn read<R: 'static>(&mut self, sensor: Handle<R>) -> R {
-        let mut truth = Truth {
-            now: self.entity.now(),
-            pose: self.entity.pose(),
-            twist: self.entity.twist(),
-            acceleration: self.entity.acceleration(),
-            host: self.entity.id(),
-            mount: Mount::IDENTITY,
-            swarm: self.entity.swarm,
-        };
-        let mut reading: Option<R> = None;
-        self.gear.sensors[usize::from(sensor.index)].read_into(&mut truth, &mut reading);
-        match reading {
-            Some(reading) => reading,
+        self.sample(sensor).reading
+    }
+
+    /// The same, and when it was taken.
+    pub fn sample<R: 'static>(&mut self, sensor: Handle<R>) -> Sample<R> {
+        let mut sample: Option<Sample<R>> = None;
+        self.with_sensor(sensor.index, |sensor, truth| {
+            sensor.read_into(truth, &mut sample);
+        });
+        match sample {
+            Some(sample) => sample,
             None => unreachable!(
                 "a handle's type is checked when it is made, and it fits its own platform"
             ),
         }
+    }
+
+    /// Has a sensor with a rate measure, if a sample is due. The behaviour's method to be called if
+    /// one arrives now.
+    pub(crate) fn take_sample(&mut self, sensor: u16) -> Option<Call> {
+        self.with_sensor(sensor, |sensor, truth| {
+            sensor.sample(truth);
+            sensor.arrived(truth.now)
+        })
+    }
+
+    /// Tells the sensors of a touch.
+    pub(crate) fn touched(&mut self, touch: &Touch) {
+        for at in 0..self.gear.sensors.len() {
+            self.with_sensor(at as u16, |sensor, truth| sensor.touched(touch, truth));
+        }
+    }
+
+    /// Lets a sensor see the truth as it is now, and passes on what it has measured.
+    fn with_sensor<T>(
+        &mut self,
+        index: u16,
+        act: impl FnOnce(&mut dyn AnySensor, &mut Truth<'_>) -> T,
+    ) -> T {
+        let Self { entity, gear } = self;
+        let mut truth = Truth {
+            now: entity.now(),
+            pose: entity.pose(),
+            twist: entity.twist(),
+            motion: entity.motion(),
+            host: entity.id(),
+            mount: Mount::IDENTITY,
+            swarm: entity.swarm,
+            taken: None,
+        };
+        let answer = act(&mut *gear.sensors[usize::from(index)], &mut truth);
+        if let Some(taken) = truth.taken {
+            self.entity.out.effect(Effect::Sensed(index, taken));
+        }
+        answer
     }
 
     /// Broadcasts `payload`.

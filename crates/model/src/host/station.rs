@@ -34,4 +34,8 @@ impl Host for Station {
     fn view<'a>(&'a mut self, cx: Cx<'a>) -> Platform<'a> {
         Platform::new(cx, &mut self.gear)
     }
+
+    fn gear(&mut self) -> Option<&mut Gear> {
+        Some(&mut self.gear)
+    }
 }

@@ -91,6 +91,7 @@ impl Simulation {
             .map(|(_, component)| Observer::new(component))
             .collect::<Vec<_>>();
         engine.domain_mut().keep_marks = !observers.is_empty();
+        engine.domain_mut().keep_readings = observers.iter().any(|o| o.component.wants_readings());
         let init_s = started.elapsed().as_secs_f64();
         Ok(Self {
             engine,

@@ -104,7 +104,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     let mut population = Population::with_capacity(count);
     let mut agents = Vec::with_capacity(count);
     let (mut bodies, mut owners) = (Vec::with_capacity(count), Vec::with_capacity(count));
-    let mut keys = Vec::with_capacity(count);
+    let (mut keys, mut gears) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let mut faults: Vec<(String, Fault)> = Vec::new();
     for plan in plans {
         let key = path_key(&plan.path);
@@ -119,6 +119,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             .ok_or_else(|| SetupError::DuplicatePath {
                 path: path.to_string(),
             })?;
+        gears.push(Arc::clone(&plan.gear));
         let mut instance = Instance {
             id,
             path: Arc::clone(&path),
@@ -180,6 +181,8 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         jumps: 0,
         marks: Vec::new(),
         keep_marks: false,
+        keep_readings: false,
+        gear: gears,
         radio_nanos: AtomicU64::new(0),
         medium_nanos: 0,
         contact_nanos: 0,

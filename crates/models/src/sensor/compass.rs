@@ -43,9 +43,12 @@ impl Sensor for Compass {
         })
     }
 
-    fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Heading {
-        let heading = truth.sensor_pose().attitude.heading();
-        Heading::new(heading.angle() + self.sigma * rng.normal())
+    fn ideal(&mut self, truth: &Truth<'_>) -> Heading {
+        truth.sensor_pose().attitude.heading()
+    }
+
+    fn measure(&mut self, ideal: Heading, _truth: &Truth<'_>, rng: &mut Stream) -> Heading {
+        Heading::new(ideal.angle() + self.sigma * rng.normal())
     }
 }
 

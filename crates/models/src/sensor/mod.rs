@@ -1,4 +1,5 @@
 //! Sensors: what turns truth into readings.
 
 pub mod compass;
+pub mod noise;
 pub mod position;

@@ -42,42 +42,33 @@ impl Sensor for PositionSensor {
         })
     }
 
-    fn read(&mut self, truth: &Truth<'_>, rng: &mut Stream) -> Position {
+    fn ideal(&mut self, truth: &Truth<'_>) -> Position {
+        truth.sensor_pose().position
+    }
+
+    fn measure(&mut self, ideal: Position, _truth: &Truth<'_>, rng: &mut Stream) -> Position {
         let error = DVec3::new(rng.normal(), rng.normal(), rng.normal());
-        truth.sensor_pose().position + Position::from_si(error * self.sigma.metres())
+        ideal + Position::from_si(error * self.sigma.metres())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trial::{NoParams, assert_normal, bee, run, with_sensor_of};
-    use simbeeotic_model::units::{Angle, Attitude, Time, Yaw};
-    use simbeeotic_model::{Bee, Behavior, Handle, Kit, behavior};
+    use crate::trial::{Trial, assert_normal, refusal};
+    use simbeeotic_model::units::Time;
+    use simbeeotic_model::units::{Angle, Attitude, Mount, Offset, Yaw};
+    use simbeeotic_model::{Handle, SamplePhase, Sampling};
 
-    /// Holds a position sensor with an error of 0.2 m against the truth.
-    #[behavior("test-position")]
-    struct Surveyor {
-        position: Handle<Position>,
-    }
-
-    impl Behavior for Surveyor {
-        type Params = NoParams;
-
-        fn build(_params: NoParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
-            kit.once(Time::from_secs(1.0), Self::compare);
-            Ok(Self {
-                position: kit.sensor("position")?,
-            })
-        }
-    }
-
-    impl Surveyor {
-        fn compare(&mut self, bee: &mut Bee<'_>) {
+    #[test]
+    fn it_reads_the_truth_with_the_error_it_says_on_each_axis() {
+        let mut trial = Trial::of("position", &[("sigma", "0.2 m")]);
+        trial.at = [3.0, -4.0, 10.0];
+        trial.run(|bee, sensor: Handle<Position>| {
             for yaw in [0.0, 120.0] {
                 bee.set_attitude(Attitude::from_yaw(Yaw::new(Angle::from_degrees(yaw))));
-                let readings: Vec<[f64; 3]> = (0..10_000)
-                    .map(|_| bee.read(self.position).si().to_array())
+                let readings: Vec<[f64; 3]> = (0..100_000)
+                    .map(|_| bee.read(sensor).si().to_array())
                     .collect();
                 for (axis, truth) in bee.position().si().to_array().into_iter().enumerate() {
                     let along: Vec<f64> = readings.iter().map(|reading| reading[axis]).collect();
@@ -89,24 +80,64 @@ mod tests {
                     .iter()
                     .map(|[x, y, _]| (x - centre.x) * (y - centre.y))
                     .sum();
-                assert!((product / 1e4).abs() < 4.0 * 0.2 * 0.2 / 100.0, "{product}");
+                assert!(
+                    (product / 1e5).abs() < 4.0 * 0.2 * 0.2 / 1e5_f64.sqrt(),
+                    "{product}"
+                );
             }
-        }
+        });
     }
 
     #[test]
-    fn it_reads_the_truth_with_the_error_it_says_on_each_axis() {
-        let plan = bee("bee", "test-position", &[], [3.0, -4.0, 10.0]);
-        let plan = with_sensor_of(plan, "position", "position", &[("sigma", "0.2 m")]);
-        let outcome = run(vec![plan], 2).run();
-        assert!(outcome.error.is_none(), "{:?}", outcome.error);
+    fn it_sits_where_its_mount_says_in_any_attitude() {
+        let mut trial = Trial::of("position", &[("sigma", "0 m")]);
+        trial.mount = Mount::new(Offset::from_xyz(0.1, 0.0, 0.0), Attitude::IDENTITY);
+        trial.run(|bee, sensor: Handle<Position>| {
+            for degrees in [0.0, 90.0] {
+                bee.set_attitude(Attitude::from_yaw(Yaw::new(Angle::from_degrees(degrees))));
+                let ahead = bee.attitude().forward() * 0.1;
+                let read = bee.read(sensor).si() - bee.position().si();
+                assert!((read - ahead).length() < 1e-12, "{read}");
+            }
+        });
+    }
+
+    #[test]
+    fn with_a_rate_and_a_delay_it_tells_where_it_was() {
+        let mut trial = Trial::of("position", &[("sigma", "0 m")]);
+        trial.sampling = Sampling {
+            period: Some(Time::from_millis(20.0)),
+            phase: SamplePhase::At(Time::from_millis(5.0)),
+            delay: Time::from_millis(50.0),
+            dropout: 0.0,
+        };
+        (trial.every, trial.seconds) = (Time::from_millis(13.0), 2);
+        trial.run(|bee, sensor: Handle<Position>| {
+            let velocity = DVec3::new(1.0, 0.5, 0.0);
+            // It drives through the samples taken before the first act: only later ones are held.
+            bee.set_velocity(simbeeotic_model::units::Velocity::from_si(velocity));
+            let sample = bee.sample(sensor);
+            let (now, taken) = (bee.now().nanos(), sample.taken.nanos());
+            assert_eq!((taken - 5_000_000) % 20_000_000, 0);
+            assert!(
+                (50_000_000..70_000_000).contains(&(now - taken)),
+                "{}",
+                now - taken
+            );
+            if taken > 1_000_000_000 {
+                let was = bee.position().si() - velocity * ((now - taken) as f64 * 1e-9);
+                assert!(
+                    (sample.reading.si() - was).length() < 1e-9,
+                    "{:?}",
+                    sample.reading
+                );
+            }
+        });
     }
 
     #[test]
     fn a_negative_error_is_refused() {
-        for sigma in [-0.5, f64::NAN].map(Length::si) {
-            let built = PositionSensor::build(PositionSensorParams { sigma });
-            assert!(built.is_err(), "{sigma}");
-        }
+        let refusal = refusal("position", &[("sigma", "-0.5 m")]).expect("it is refused");
+        assert!(refusal.contains("sigma"), "{refusal}");
     }
 }

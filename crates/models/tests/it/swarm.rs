@@ -7,7 +7,7 @@ use simbeeotic_model::radio::{Isotropic, Medium, SimpleConfig, SimpleMedium};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::units::{Attitude, Mount, Pose, Position};
 use simbeeotic_model::world::{Calm, Weather, World};
-use simbeeotic_model::{ModelPlan, Origin, Setup, Simulation};
+use simbeeotic_model::{ModelPlan, Origin, Sampling, Setup, Simulation};
 // Brings the parts onto the shelf.
 use simbeeotic_models as _;
 use std::sync::Arc;
@@ -87,8 +87,19 @@ pub(crate) fn with_sensor_of(
         name: name.to_owned(),
         factory,
         mount: Mount::IDENTITY,
+        sampling: Sampling::default(),
+        current: None,
     };
     Arc::make_mut(&mut plan.gear).sensors.push(sensor);
+    plan
+}
+
+/// Mounts the sensor that was put on board last, and says when it is read.
+#[allow(dead_code, reason = "the trials within the crate use it")]
+pub(crate) fn mounted(mut plan: ModelPlan, mount: Mount, sampling: Sampling) -> ModelPlan {
+    let sensors = &mut Arc::make_mut(&mut plan.gear).sensors;
+    let sensor = sensors.last_mut().expect("a sensor on board");
+    (sensor.mount, sensor.sampling) = (mount, sampling);
     plan
 }
 

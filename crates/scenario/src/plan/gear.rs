@@ -8,8 +8,9 @@ use simbeeotic_model::config::{Fault, Node, Table};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
 use simbeeotic_model::registry::{Kind, Make};
+use simbeeotic_model::{BuildError, SamplePhase, Sampling};
 use simbeeotic_units::glam::DVec3;
-use simbeeotic_units::{Angle, Attitude, Mount, Offset, Yaw, math};
+use simbeeotic_units::{Angle, Attitude, Current, Frequency, Mount, Offset, Time, Yaw, math};
 use std::sync::Arc;
 
 /// What a radio is called that stands alone.
@@ -101,6 +102,14 @@ fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan
     let mut section = Section::open(node, "a sensor", faults)?;
     let part = part(&mut section, Kind::Sensor, faults);
     let mount = mount(&mut section, faults);
+    let sampling = sampling(&mut section, faults);
+    let current: Option<Current> = section.read("current", faults);
+    if let (Some(current), Some(node)) = (current, section.get("current"))
+        && current < Current::ZERO
+    {
+        let message = format!("`current` must be zero or more, and is {current}");
+        faults.push(Fault::error(node.span, message));
+    }
     let part = part?;
     let params = section.rest(part, faults);
     let Make::Sensor(make) = part.make else {
@@ -111,7 +120,50 @@ fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan
         name: name.to_owned(),
         factory,
         mount: mount?,
+        sampling: sampling?,
+        current,
     })
+}
+
+/// `rate = "50 Hz"`, `phase = "aligned"`, `"random"` or a time, `delay = "20 ms"`, `dropout = 0.01`.
+fn sampling(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Sampling> {
+    let before = faults.len();
+    let rate: Option<Frequency> = section.read("rate", faults);
+    let delay: Option<Time> = section.read("delay", faults);
+    let dropout: Option<f64> = section.read("dropout", faults);
+    let phase = section.get("phase").and_then(|node| match node.as_str() {
+        Some("aligned") => Some(SamplePhase::Aligned),
+        Some("random") => Some(SamplePhase::Random),
+        _ => match read::<Time>(node, &mut Vec::new()) {
+            Some(at) => Some(SamplePhase::At(at)),
+            None => {
+                let message = "a phase is `aligned`, `random`, or a time such as \"3 ms\"";
+                faults.push(Fault::error(node.span, message));
+                None
+            }
+        },
+    });
+    let sampling = Sampling {
+        period: rate.map(|rate| Time::from_secs(1.0 / rate.get())),
+        phase: phase.unwrap_or_default(),
+        delay: delay.unwrap_or(Time::ZERO),
+        dropout: dropout.unwrap_or(0.0),
+    };
+    if faults.len() > before {
+        return None;
+    }
+    match sampling.check() {
+        Ok(()) => Some(sampling),
+        Err(BuildError::Parameter { key, message }) => {
+            let place = section.get(key).map_or(section.node.span, |node| node.span);
+            faults.push(Fault::error(place, format!("`{key}` {message}")));
+            None
+        }
+        Err(other) => {
+            faults.push(Fault::error(section.node.span, other.to_string()));
+            None
+        }
+    }
 }
 
 fn radio(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<RadioPlan> {
