@@ -3,8 +3,8 @@
 use crate::image::Image;
 use simbeeotic_units::{
     Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Density, Energy, Force,
-    Frame, Frequency, Heading, Length, Pose, Power, PowerLevel, Pressure, Quantity, Speed,
-    Temperature, Time, Torque, Twist, V3, VectorQuantity, Voltage,
+    Frame, Frequency, Heading, Length, MagneticField, Pose, Power, PowerLevel, Pressure, Quantity,
+    Speed, Temperature, Time, Torque, Twist, V3, VectorQuantity, Voltage,
 };
 
 /// One column of a recorded reading.
@@ -82,6 +82,7 @@ one_number!(
     Force,
     Frequency,
     Length,
+    MagneticField,
     Power,
     PowerLevel,
     Pressure,

@@ -120,6 +120,16 @@ impl Truth<'_> {
         self.swarm.pose_of(id, self.now)
     }
 
+    /// The twist of another model's body, as the instant began.
+    pub fn twist_of(&self, id: ModelId) -> Option<Twist> {
+        self.swarm.twist_of(id, self.now)
+    }
+
+    /// The velocity of the place where the sensor sits, in the sensor's own frame.
+    pub fn sensor_velocity_flu(&self) -> Velocity<Flu> {
+        self.sensor_pose().attitude.unrotate(self.sensor_velocity())
+    }
+
     /// All other models whose body's centre is within `radius` of the host, by id.
     pub fn neighbors(&self, radius: Length) -> Vec<ModelId> {
         self.swarm

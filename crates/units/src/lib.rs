@@ -53,9 +53,9 @@ pub mod text;
 pub use glam;
 pub use quantity::{
     Acceleration, Angle, AngularRate, Area, Charge, Concentration, Current, DataRate, Decibels,
-    Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity, Mass,
-    MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate, Scale, Speed,
-    Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
+    Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity,
+    MagneticField, Mass, MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate,
+    Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
 };
 pub use space::{
     Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, ImpulseVec, Mount, Offset, Pose, Position,

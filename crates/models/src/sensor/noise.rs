@@ -3,11 +3,11 @@
 //! A [`Channel`] turns what is true into what a real sensor says, in this order:
 //!
 //! ```text
-//! y = (1 + s) x + b + d(t) + sigma n        scale, bias, drift, white noise     (1)
+//! y = (1 + s) x + B + b + d(t) + sigma n    scale, biases, drift, white noise   (1)
 //! y = clamp(y, -limit, limit)               saturation                          (2)
 //! y = step round(y / step)                  quantisation                        (3)
 //! ```
-//! `s` and `b` are drawn once, when the sensor is first read: N(0, scale_sigma), N(0, bias_sigma).
+//! `B` is a bias that is known. `s` and `b` are drawn once, when the sensor is first read: N(0, scale_sigma), N(0, bias_sigma).
 //! `n` is N(0, 1), new at each reading. The drift `d` is a random walk of density `K`, or, with a
 //! correlation time `T`, a Gauss-Markov process of standard deviation `D`:
 //!
@@ -20,7 +20,6 @@
 //! white noise at `f` shows as `sigma / sqrt(f tau)`, the walk as `K sqrt(tau / 3)`, and the process
 //! as a hump of about `0.6 D` near `1.9 T` (IEEE Std 952-1997, annex C).
 
-use simbeeotic_model::BuildError;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::math;
 
@@ -29,7 +28,9 @@ use simbeeotic_model::units::math;
 pub struct Errors {
     /// Standard deviation of the white noise of each reading. 0 or more.
     pub sigma: f64,
-    /// Standard deviation of the constant bias that each sensor has. 0 or more.
+    /// A constant bias that is known.
+    pub bias: f64,
+    /// Standard deviation of the constant bias that each sensor has besides. 0 or more.
     pub bias_sigma: f64,
     /// Standard deviation of the scale factor's error, a fraction. 0 or more.
     pub scale_sigma: f64,
@@ -61,6 +62,7 @@ impl Default for Errors {
     fn default() -> Self {
         Self {
             sigma: 0.0,
+            bias: 0.0,
             bias_sigma: 0.0,
             scale_sigma: 0.0,
             drift: Drift::None,
@@ -76,24 +78,6 @@ impl Errors {
         Self {
             sigma,
             ..Self::default()
-        }
-    }
-
-    /// A drift from parameters: a walk if there is no correlation time, no drift if both numbers are 0.
-    ///
-    /// # Errors
-    /// Both a walk and a process; a process without a time.
-    pub fn drift(walk: f64, sigma: f64, time_s: f64) -> Result<Drift, BuildError> {
-        match (walk > 0.0, sigma > 0.0) {
-            (true, true) => Err(BuildError::other(
-                "a bias drifts by a random walk or by a process with a correlation time, not by both",
-            )),
-            (true, false) => Ok(Drift::Walk(walk)),
-            (false, true) if time_s > 0.0 => Ok(Drift::Markov { sigma, time_s }),
-            (false, true) => Err(BuildError::other(
-                "a drift with a standard deviation needs a correlation time above zero",
-            )),
-            (false, false) => Ok(Drift::None),
         }
     }
 }
@@ -123,7 +107,11 @@ impl Channel {
     /// What is read at `now` where `ideal` is true.
     pub fn read(&mut self, ideal: f64, now: SimTime, rng: &mut Stream) -> f64 {
         let Errors {
-            sigma, limit, step, ..
+            sigma,
+            bias,
+            limit,
+            step,
+            ..
         } = self.errors;
         let own = self.drifted(now, rng);
         let noise = if sigma > 0.0 {
@@ -131,7 +119,7 @@ impl Channel {
         } else {
             0.0
         };
-        let read = (1.0 + own.scale) * ideal + own.bias + own.drift + noise;
+        let read = (1.0 + own.scale) * ideal + bias + own.bias + own.drift + noise;
         let read = read.clamp(-limit, limit);
         if step > 0.0 {
             step * (read / step).round()
@@ -180,14 +168,19 @@ impl Channel {
     }
 }
 
-/// Three axes with the same errors, each its own.
+/// Three axes, each with errors of its own.
 #[derive(Clone, Debug)]
 pub struct Axes([Channel; 3]);
 
 impl Axes {
     /// Three channels with these errors.
     pub fn new(errors: Errors) -> Self {
-        Self(std::array::from_fn(|_| Channel::new(errors)))
+        Self::each([errors; 3])
+    }
+
+    /// Three channels, each with its own errors.
+    pub fn each(errors: [Errors; 3]) -> Self {
+        Self(errors.map(Channel::new))
     }
 
     /// What is read at `now` where `ideal` is true.

@@ -39,9 +39,15 @@ vector_quantity! {
 
 vector_quantity! {
     /// An acceleration, inside in metres per second squared.
+    ///
+    /// `g` is the standard acceleration of gravity, 9.80665 m/s² (ISO 80000-3), wherever the run takes
+    /// place; `mg` and `ug` are its thousandth and millionth, as data sheets use them.
     Acceleration = "an acceleration" {
         "m/s^2": Scale::ONE => from_metres_per_second_squared, metres_per_second_squared;
         "cm/s^2": Scale::over(1e2);
+        "g": Scale::times(9.80665) => from_g, g;
+        "mg": Scale::ratio(9.80665, 1e3);
+        "ug": Scale::ratio(9.80665, 1e6);
     }
 }
 
@@ -257,6 +263,8 @@ mod tests {
             Time::from_millis(100.0)
         );
         assert_eq!("1 h".parse(), Ok(Time::si(3600.0)));
+        assert_eq!("-3 g".parse(), Ok(Acceleration::si(-3.0 * 9.80665)));
+        assert_eq!("160 ug".parse(), Ok(Acceleration::si(160.0 * 9.80665e-6)));
         assert_eq!("100 ms".parse(), Ok(Time::si(0.1)));
     }
 

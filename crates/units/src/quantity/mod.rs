@@ -33,6 +33,7 @@ mod decibels;
 mod define;
 mod electricity;
 mod kind;
+mod magnetism;
 mod mechanics;
 mod parse;
 pub(crate) mod print;
@@ -45,6 +46,7 @@ pub use ambient::{Concentration, Illuminance, LuminousIntensity, MassRate, RainR
 pub use decibels::{Decibels, PowerLevel};
 pub use electricity::{Charge, Current, Energy, Power, Voltage};
 pub use kind::{Quantity, Scale, Unit, VectorQuantity};
+pub use magnetism::MagneticField;
 pub use mechanics::{
     Acceleration, Angle, AngularRate, Area, Force, Impulse, Length, Mass, Speed, Time, Torque,
 };
