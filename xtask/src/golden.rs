@@ -7,7 +7,7 @@
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
-use crate::program::Program;
+use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
 use crate::trace::{Trace, parse_hash};
@@ -29,7 +29,7 @@ pub(crate) fn check(repo: &Repo, names: &[String], accept: bool) -> Result<Repor
         )));
     }
 
-    let program = Program::build(repo)?;
+    let program = Program::build(repo, Profile::Release)?;
     let mut report = Report::default();
     for name in &names {
         match one(repo, &program, name, accept) {

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use anyhow::{Context, Result, ensure};
 use toml::{Table, Value};
 
-use crate::program::Program;
+use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
 
@@ -24,7 +24,7 @@ pub(crate) fn check(repo: &Repo) -> Result<Report> {
     let folder = project
         .to_str()
         .context("the temporary folder has a name that is not UTF-8")?;
-    let program = Program::build(repo)?;
+    let program = Program::build(repo, Profile::Release)?;
     program.stdout(&["new", NAME, "--path", folder])?;
 
     let manifest = std::fs::read_to_string(project.join("Cargo.toml"))

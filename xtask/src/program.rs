@@ -1,4 +1,4 @@
-//! The `simbeeotic` program as the checks run it: built in release, started at the root.
+//! The `simbeeotic` program as the checks run it: started at the root.
 
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -13,21 +13,46 @@ pub(crate) struct Program<'a> {
     binary: PathBuf,
 }
 
+/// How the program is built.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Profile {
+    /// As the tests build it: for what takes no time to run.
+    Dev,
+    /// For runs.
+    Release,
+}
+
+impl Profile {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Dev => "dev",
+            Self::Release => "release",
+        }
+    }
+
+    fn folder(self) -> &'static str {
+        match self {
+            Self::Dev => "debug",
+            Self::Release => "release",
+        }
+    }
+}
+
 impl<'a> Program<'a> {
-    /// Builds the program with the release profile. Costs nothing when it is fresh, and a stale program
-    /// would compare yesterday's traces.
-    pub(crate) fn build(repo: &'a Repo) -> Result<Self> {
-        println!("   building simbeeotic (release)");
+    /// Builds the program. Costs nothing when it is fresh, and a stale program would compare
+    /// yesterday's traces.
+    pub(crate) fn build(repo: &'a Repo, profile: Profile) -> Result<Self> {
+        println!("   building simbeeotic ({})", profile.name());
         let status = repo
             .cargo()
-            .args(["build", "--release", "--quiet"])
+            .args(["build", "--quiet", "--profile", profile.name()])
             .args(["--package", "simbeeotic", "--bin", "simbeeotic"])
             .status()
             .context("cannot run cargo build")?;
         ensure!(status.success(), "the program does not build");
 
         let name = format!("simbeeotic{}", std::env::consts::EXE_SUFFIX);
-        let binary = repo.target_dir()?.join("release").join(name);
+        let binary = repo.target_dir()?.join(profile.folder()).join(name);
         ensure!(binary.is_file(), "{} was not built", binary.display());
         Ok(Self { repo, binary })
     }

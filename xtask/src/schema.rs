@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use crate::program::Program;
+use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
 
@@ -11,7 +11,7 @@ const FILE: &str = "scenarios/scenario.schema.json";
 
 /// Compares, or with `accept` rewrites, the schema.
 pub(crate) fn check(repo: &Repo, accept: bool) -> Result<Report> {
-    let fresh = Program::build(repo)?.stdout(&["schema"])?;
+    let fresh = Program::build(repo, Profile::Dev)?.stdout(&["schema"])?;
     let stored = std::fs::read_to_string(repo.path(FILE)).ok();
     if accept {
         std::fs::write(repo.path(FILE), format!("{}\n", fresh.trim_end()))?;

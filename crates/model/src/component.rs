@@ -13,9 +13,9 @@ pub trait Component: Send {
     /// Virtual time between observations; `None`: only start and end.
     fn period(&self) -> Option<Time>;
 
-    /// Whether it looks at what sensors measure ([`Mark::Sensed`](crate::Mark)): nothing is noted
-    /// for nobody.
-    fn wants_readings(&self) -> bool {
+    /// Whether it looks at what the sensor of this path (`bee-17/imu`) measures, as
+    /// [`Mark::Sensed`](crate::Mark): nothing is noted for nobody. Asked once, before the first event.
+    fn wants_reading(&self, _sensor: &str) -> bool {
         false
     }
 

@@ -136,7 +136,7 @@ impl<S: Sensor> Mounted<S> {
 /// One measurement, noted if anybody records it.
 fn measure<S: Sensor>(sensor: &mut S, truth: &mut Truth<'_>, rng: &mut Stream) -> S::Reading {
     let ideal = sensor.ideal(truth);
-    if !truth.swarm.keep_readings {
+    if !truth.watched {
         return sensor.measure(ideal, truth, rng);
     }
     let reading = sensor.measure(ideal.clone(), truth, rng);

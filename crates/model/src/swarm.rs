@@ -191,8 +191,9 @@ pub struct Swarm {
     pub(crate) marks: Vec<Mark>,
     /// Whether anybody looks at the marks.
     pub(crate) keep_marks: bool,
-    /// Whether anybody looks at what sensors measure.
-    pub(crate) keep_readings: bool,
+    /// Of each model, the sensors whose measurements somebody looks at, a bit each; empty if nobody
+    /// looks at any. The last bit stands for all sensors from the 64th on.
+    pub(crate) watched: Vec<u64>,
     /// The names of each model's sensors: those of one section share them.
     pub(crate) gear: Vec<Arc<GearPlan>>,
     /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
@@ -278,6 +279,25 @@ impl Swarm {
     pub(crate) fn packets(&self) -> (u64, u64) {
         let totals = self.medium.as_ref().map(|m| m.totals()).unwrap_or_default();
         (totals.sent, totals.received)
+    }
+
+    /// Notes which sensors' measurements are kept, by their paths.
+    pub(crate) fn choose_readings(&mut self, wants: impl Fn(&str) -> bool) {
+        let watched = self.gear.iter().enumerate().map(|(model, gear)| {
+            let path = self.population.path(ModelId(model as u32));
+            let sensors = gear.sensors.iter().enumerate();
+            let wanted = sensors.filter(|(_, s)| wants(&format!("{path}/{}", s.name)));
+            wanted.fold(0, |bits, (at, _)| bits | 1 << at.min(63))
+        });
+        let watched: Vec<u64> = watched.collect();
+        let any = watched.iter().any(|bits| *bits != 0);
+        self.watched = if any { watched } else { Vec::new() };
+    }
+
+    /// Whether somebody looks at what a sensor measures.
+    pub(crate) fn watches(&self, model: ModelId, sensor: u16) -> bool {
+        let bits = self.watched.get(model.index()).copied().unwrap_or(0);
+        bits >> sensor.min(63) & 1 != 0
     }
 
     fn mark(&mut self, mark: impl FnOnce() -> Mark) {

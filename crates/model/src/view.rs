@@ -21,7 +21,8 @@ pub struct Truth<'a> {
     pub(crate) host: ModelId,
     pub(crate) mount: Mount,
     pub(crate) swarm: &'a Swarm,
-    /// What has been measured, if anybody records it.
+    /// Whether somebody looks at what is measured, and what has been.
+    pub(crate) watched: bool,
     pub(crate) taken: Option<Box<Taken>>,
 }
 

@@ -1,13 +1,16 @@
 //! The recorder as a component of a run: `[[component]] use = "recorder"`.
 
-use crate::data::{Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Sample, Vehicle};
+use crate::data::{
+    Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample, Vehicle,
+};
 use crate::recorder::{Header, Precision, RecordError, RecordStats, Recorder};
+use crate::selection::selects;
 use simbeeotic_model::check::positive;
 use simbeeotic_model::kernel::ModelId;
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
-    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, Thing, View, choice,
-    component, params,
+    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, Taken, Thing, View,
+    choice, component, params,
 };
 use std::path::PathBuf;
 
@@ -37,6 +40,10 @@ pub struct RecorderParams {
     pub precision: PrecisionChoice,
     /// Whether touches, log lines and metrics are recorded.
     pub events: bool,
+    /// Sensors whose readings are recorded, with the truth beside them: patterns for their paths,
+    /// such as `"bee-0/*"`, `"*/camera"`, `"*"` for all. None unless said. A reading of three numbers
+    /// takes about 40 bytes.
+    pub readings: Vec<String>,
 }
 
 impl Default for RecorderParams {
@@ -47,6 +54,7 @@ impl Default for RecorderParams {
             twists: true,
             precision: PrecisionChoice::Fine,
             events: true,
+            readings: Vec::new(),
         }
     }
 }
@@ -81,8 +89,16 @@ impl Component for RecorderComponent {
         Some(self.params.period)
     }
 
+    fn wants_reading(&self, sensor: &str) -> bool {
+        self.params
+            .readings
+            .iter()
+            .any(|pattern| selects(pattern, sensor))
+    }
+
     fn start(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
         self.bodies = view.bodies().collect();
+        self.check_patterns(view)?;
         let origin = view.origin();
         let vehicle = |id: &ModelId| {
             let member = view.population().get(*id);
@@ -117,9 +133,7 @@ impl Component for RecorderComponent {
         let Some(recorder) = &mut self.recorder else {
             return Ok(());
         };
-        if self.params.events {
-            record_marks(recorder, view).map_err(failed)?;
-        }
+        record_marks(recorder, view, &self.params).map_err(failed)?;
         let samples = self.bodies.iter().map(|id| sample(view, *id));
         recorder.tick(view.now().nanos(), samples).map_err(failed)
     }
@@ -128,15 +142,45 @@ impl Component for RecorderComponent {
         let Some(mut recorder) = self.recorder.take() else {
             return Ok(Vec::new());
         };
-        if self.params.events {
-            record_marks(&mut recorder, view).map_err(failed)?;
-        }
+        record_marks(&mut recorder, view, &self.params).map_err(failed)?;
         let summary = serde_json::to_value(summary).unwrap_or_default();
         let stats = recorder.finish(&summary).map_err(failed)?;
         Ok(vec![Note {
             key: "recording".to_owned(),
             text: describe(&self.params.path, &stats),
         }])
+    }
+}
+
+impl RecorderComponent {
+    /// A pattern that no sensor matches is a mistake.
+    fn check_patterns(&self, view: &View<'_>) -> Result<(), ComponentError> {
+        if self.params.readings.is_empty() {
+            return Ok(());
+        }
+        let models = view.population().iter().map(|(id, _)| id);
+        let sensors: Vec<String> = models
+            .flat_map(|id| {
+                let path = view.population().path(id);
+                view.sensors(id).map(move |name| format!("{path}/{name}"))
+            })
+            .collect();
+        let useless = |pattern: &&String| !sensors.iter().any(|sensor| selects(pattern, sensor));
+        match self.params.readings.iter().find(useless) {
+            None => Ok(()),
+            Some(pattern) => {
+                let known = match sensors.as_slice() {
+                    [] => "there are no sensors".to_owned(),
+                    [only] => format!("there is one, {only:?}"),
+                    [first, .., last] => {
+                        format!("there are {}, from {first:?} to {last:?}", sensors.len())
+                    }
+                };
+                Err(ComponentError::new(format!(
+                    "no sensor matches {pattern:?} of the recorder's `readings`; {known}"
+                )))
+            }
+        }
     }
 }
 
@@ -170,10 +214,32 @@ fn sample(view: &View<'_>, id: ModelId) -> Sample {
     }
 }
 
-fn record_marks(recorder: &mut Recorder, view: &View<'_>) -> Result<(), RecordError> {
+fn record_marks(
+    recorder: &mut Recorder,
+    view: &View<'_>,
+    params: &RecorderParams,
+) -> Result<(), RecordError> {
     let path = |id: ModelId| view.population().path(id).to_owned();
     for mark in view.marks() {
         match mark {
+            Mark::Sensed {
+                time,
+                model,
+                sensor,
+                taken,
+            } => {
+                let name = view.sensors(*model).nth(usize::from(*sensor));
+                let sensor = format!("{}/{}", path(*model), name.unwrap_or_default());
+                // Another component may have asked for it.
+                if params
+                    .readings
+                    .iter()
+                    .any(|pattern| selects(pattern, &sensor))
+                {
+                    record_reading(recorder, time.nanos(), sensor, taken)?;
+                }
+            }
+            _ if !params.events => {}
             Mark::Touch { time, a, b } => recorder.event(Event {
                 time_ns: time.nanos(),
                 kind: "contact".to_owned(),
@@ -211,4 +277,40 @@ fn record_marks(recorder: &mut Recorder, view: &View<'_>) -> Result<(), RecordEr
         }
     }
     Ok(())
+}
+
+fn record_reading(
+    recorder: &mut Recorder,
+    time_ns: u64,
+    sensor: String,
+    taken: &Taken,
+) -> Result<(), RecordError> {
+    for (name, image) in &taken.images {
+        recorder.picture(Picture {
+            time_ns,
+            path: match *name {
+                "" => sensor.clone(),
+                name => format!("{sensor}/{name}"),
+            },
+            image: image.clone(),
+        })?;
+    }
+    if taken.columns.is_empty() {
+        return Ok(());
+    }
+    let words = |word: fn(&simbeeotic_model::Column) -> &'static str| {
+        taken
+            .columns
+            .iter()
+            .map(|column| word(column).to_owned())
+            .collect()
+    };
+    recorder.reading(Reading {
+        time_ns,
+        sensor,
+        names: words(|column| column.name),
+        units: words(|column| column.unit),
+        truth: taken.ideal.clone(),
+        reading: taken.reading.clone(),
+    })
 }

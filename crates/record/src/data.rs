@@ -1,5 +1,7 @@
 //! What is recorded and read back: the same plain types in both directions.
 
+use simbeeotic_model::Image;
+
 /// One vehicle of a recording. Its place in the list is its place in every [`Tick`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vehicle {
@@ -133,6 +135,37 @@ pub struct Metrics {
     pub time_ns: u64,
     /// The numbers.
     pub values: Vec<Metric>,
+}
+
+/// What a sensor read, and what was true.
+///
+/// A reading of several rows (the points of a scan) has its columns as often as it has rows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Virtual time since the start of the run, ns.
+    pub time_ns: u64,
+    /// Path of the sensor: `bee-17/imu`.
+    pub sensor: String,
+    /// Names of the columns; empty for a single number.
+    pub names: Vec<String>,
+    /// SI unit of each column; `1` for counts.
+    pub units: Vec<String>,
+    /// What a perfect sensor would have read, row by row. NaN where there was nothing to read.
+    pub truth: Vec<f64>,
+    /// What it read.
+    pub reading: Vec<f64>,
+}
+
+/// A picture that a sensor took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Virtual time since the start of the run, ns.
+    pub time_ns: u64,
+    /// Path of the picture: the sensor's, `bee-17/camera`, or one below it,
+    /// `bee-17/camera/depth`, if it takes several.
+    pub path: String,
+    /// The picture.
+    pub image: Image,
 }
 
 /// A file kept inside a recording as it was written: the scenario, the world.

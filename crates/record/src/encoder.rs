@@ -1,6 +1,6 @@
 //! Turns what is recorded into MCAP records.
 
-use crate::data::{Event, LogEntry, Metrics, Sample, Vehicle};
+use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::message::{self, Timestamp};
 use crate::recorder::{Header, Precision};
 use crate::sink::{Progress, Sink};
@@ -26,6 +26,8 @@ pub(crate) struct Encoder {
     writer: Writer<Sink>,
     progress: Arc<Progress>,
     channels: [u16; Topic::ALL.len()],
+    /// The channel of each sensor that has taken a picture.
+    cameras: BTreeMap<String, u16>,
     precision: Precision,
     with_twists: bool,
     /// Bytes of messages in the open chunk.
@@ -71,7 +73,7 @@ impl Encoder {
 
         let mut channels = [0; Topic::ALL.len()];
         for topic in Topic::ALL {
-            if topic == Topic::Twists && !header.twists {
+            if topic == Topic::Twists && !header.twists || topic == Topic::Images {
                 continue;
             }
             let ty = topic.schema();
@@ -84,6 +86,7 @@ impl Encoder {
             writer,
             progress,
             channels,
+            cameras: BTreeMap::new(),
             precision: header.precision,
             with_twists: header.twists,
             in_chunk: 0,
@@ -182,12 +185,53 @@ impl Encoder {
         self.message(Topic::Metrics, time_ns, &list)
     }
 
+    pub(crate) fn reading(&mut self, reading: Reading) -> McapResult<()> {
+        let time_ns = reading.time_ns;
+        let message = message::Reading {
+            timestamp: Some(Timestamp::from_ns(time_ns)),
+            sensor: reading.sensor,
+            names: reading.names,
+            units: reading.units,
+            truth: reading.truth,
+            reading: reading.reading,
+        };
+        self.message(Topic::Readings, time_ns, &message)
+    }
+
+    pub(crate) fn picture(&mut self, picture: &Picture) -> McapResult<()> {
+        let channel = match self.cameras.get(&picture.path) {
+            Some(channel) => *channel,
+            None => {
+                let ty = Topic::Images.schema();
+                let schema =
+                    (self.writer).add_schema(&ty.full_name(), "protobuf", &ty.descriptor_set())?;
+                let name = format!("{}/{}", Topic::Images.name(), picture.path);
+                let nothing = BTreeMap::new();
+                let channel = self
+                    .writer
+                    .add_channel(schema, &name, "protobuf", &nothing)?;
+                self.cameras.insert(picture.path.clone(), channel);
+                channel
+            }
+        };
+        self.message_on(channel, picture.time_ns, &crate::picture::pack(picture))
+    }
+
     fn message(&mut self, topic: Topic, time_ns: u64, message: &impl Message) -> McapResult<()> {
+        self.message_on(self.channels[topic as usize], time_ns, message)
+    }
+
+    fn message_on(
+        &mut self,
+        channel_id: u16,
+        time_ns: u64,
+        message: &impl Message,
+    ) -> McapResult<()> {
         self.bytes.clear();
         // Cannot fail: a vector grows.
         message.encode(&mut self.bytes).map_err(io::Error::other)?;
         let header = MessageHeader {
-            channel_id: self.channels[topic as usize],
+            channel_id,
             sequence: 0,
             log_time: time_ns,
             publish_time: time_ns,

@@ -20,9 +20,11 @@
 
 mod csv;
 mod parquet;
+mod readings;
 
 pub use csv::{export_csv, export_csv_file};
 pub use parquet::export_parquet;
+pub use readings::{export_readings, export_readings_file};
 
 use crate::data::{Sample, Tick};
 use crate::recording::{ReadError, Recording};

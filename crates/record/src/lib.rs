@@ -15,6 +15,8 @@
 //! | `/log` | [`foxglove.Log`](https://docs.foxglove.dev/docs/visualization/message-schemas/log) | what models say |
 //! | `/events` | `simbeeotic.Event` | contacts and other marks |
 //! | `/metrics` | `simbeeotic.Metrics` | numbers that models publish |
+//! | `/readings` | `simbeeotic.Reading` | what sensors read, and the truth beside it |
+//! | `/images/PATH` | [`foxglove.RawImage`](https://docs.foxglove.dev/docs/visualization/message-schemas/raw-image) | what the camera at this path saw |
 //!
 //! ```text
 //! message Vehicles { repeated string paths = 1; repeated string kinds = 2; repeated double radius_m = 3; }
@@ -24,6 +26,9 @@
 //! message Event    { google.protobuf.Timestamp timestamp = 1; string kind = 2; repeated string paths = 3; string text = 4; }
 //! message Metrics  { google.protobuf.Timestamp timestamp = 1;
 //!                    repeated string names = 2; repeated string units = 3; repeated double values = 4; }
+//! message Reading  { google.protobuf.Timestamp timestamp = 1; string sensor = 2;
+//!                    repeated string names = 3; repeated string units = 4;   // one row
+//!                    repeated double truth = 5; repeated double reading = 6; } // whole rows
 //! ```
 //!
 //! The metadata record `run` holds `version`, `seed`, `scenario` and `precision`, the metadata
@@ -69,6 +74,7 @@ mod frame;
 mod index;
 mod message;
 mod messages;
+mod picture;
 mod publish;
 mod recorder;
 mod recording;
@@ -81,8 +87,13 @@ mod ticks;
 mod topic;
 mod writer;
 
-pub use data::{Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Sample, Tick, Vehicle};
-pub use export::{ExportError, Exported, export_csv, export_csv_file, export_parquet};
+pub use data::{
+    Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample, Tick, Vehicle,
+};
+pub use export::{
+    ExportError, Exported, export_csv, export_csv_file, export_parquet, export_readings,
+    export_readings_file,
+};
 pub use publish::publish;
 pub use recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 pub use recording::{ReadError, Recording};

@@ -132,3 +132,39 @@ pub(crate) struct Metrics {
     #[prost(double, repeated, tag = "4")]
     pub(crate) values: Vec<f64>,
 }
+
+/// `simbeeotic.Reading`: names and units are one row; truth and reading are whole rows.
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct Reading {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(string, tag = "2")]
+    pub(crate) sensor: String,
+    #[prost(string, repeated, tag = "3")]
+    pub(crate) names: Vec<String>,
+    #[prost(string, repeated, tag = "4")]
+    pub(crate) units: Vec<String>,
+    #[prost(double, repeated, tag = "5")]
+    pub(crate) truth: Vec<f64>,
+    #[prost(double, repeated, tag = "6")]
+    pub(crate) reading: Vec<f64>,
+}
+
+/// `foxglove.RawImage`
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct RawImage {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(fixed32, tag = "2")]
+    pub(crate) width: u32,
+    #[prost(fixed32, tag = "3")]
+    pub(crate) height: u32,
+    #[prost(string, tag = "4")]
+    pub(crate) encoding: String,
+    #[prost(fixed32, tag = "5")]
+    pub(crate) step: u32,
+    #[prost(bytes = "vec", tag = "6")]
+    pub(crate) data: Vec<u8>,
+    #[prost(string, tag = "7")]
+    pub(crate) frame_id: String,
+}

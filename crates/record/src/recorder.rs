@@ -1,6 +1,6 @@
 //! Writing a recording while a run goes on.
 
-use crate::data::{Attachment, Event, LogEntry, Metrics, Sample, Vehicle};
+use crate::data::{Attachment, Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
 use crate::writer::{self, Job};
@@ -306,6 +306,22 @@ impl Recorder {
     /// When writing has failed.
     pub fn metrics(&mut self, metrics: Metrics) -> Result<(), RecordError> {
         self.send(Job::Metrics(metrics))
+    }
+
+    /// Records what a sensor read.
+    ///
+    /// # Errors
+    /// When writing has failed.
+    pub fn reading(&mut self, reading: Reading) -> Result<(), RecordError> {
+        self.send(Job::Reading(reading))
+    }
+
+    /// Records a picture. Each path has a channel of its own: `/images/bee-17/camera`.
+    ///
+    /// # Errors
+    /// When writing has failed, for example because there are more than 65,000 such paths.
+    pub fn picture(&mut self, picture: Picture) -> Result<(), RecordError> {
+        self.send(Job::Picture(picture))
     }
 
     /// What the recording has cost so far.

@@ -1,7 +1,9 @@
 //! Reading a recording back.
 
 use crate::chunk::ChunkError;
-use crate::data::{Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Vehicle};
+use crate::data::{
+    Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Vehicle,
+};
 use crate::frame::{Fields, op};
 use crate::index::{self, Extent, Index};
 use crate::message;
@@ -228,6 +230,51 @@ impl Recording {
                 .map(|((name, unit), value)| Metric { name, unit, value })
                 .collect();
             Metrics { time_ns, values }
+        })
+    }
+
+    /// What sensors read, in the order recorded.
+    pub fn readings(&self) -> impl Iterator<Item = Result<Reading, ReadError>> + '_ {
+        self.readings_in(0..=u64::MAX)
+    }
+
+    /// What sensors read at these virtual times, ns.
+    pub fn readings_in(
+        &self,
+        times_ns: RangeInclusive<u64>,
+    ) -> impl Iterator<Item = Result<Reading, ReadError>> + '_ {
+        let mut messages = Messages::new(self, topic_list(Topic::Readings), times_ns);
+        std::iter::from_fn(move || {
+            Some(messages.next()?.and_then(|found| {
+                let found_reading: message::Reading = messages.decode(&found)?;
+                let reading = Reading {
+                    time_ns: found.time_ns,
+                    sensor: found_reading.sensor,
+                    names: found_reading.names,
+                    units: found_reading.units,
+                    truth: found_reading.truth,
+                    reading: found_reading.reading,
+                };
+                let columns = reading.names.len().max(1);
+                if reading.reading.len() % columns != 0 || reading.truth.len() % columns != 0 {
+                    return Err(messages.damaged("a reading that is not whole rows"));
+                }
+                Ok(reading)
+            }))
+        })
+    }
+
+    /// The pictures that sensors took at these virtual times, ns, in the order recorded.
+    pub fn pictures_in(
+        &self,
+        times_ns: RangeInclusive<u64>,
+    ) -> impl Iterator<Item = Result<Picture, ReadError>> + '_ {
+        let mut messages = Messages::new(self, topic_list(Topic::Images), times_ns);
+        std::iter::from_fn(move || {
+            Some(messages.next()?.and_then(|found| {
+                let raw = messages.decode(&found)?;
+                crate::picture::unpack(found.time_ns, raw).map_err(|what| messages.damaged(what))
+            }))
         })
     }
 

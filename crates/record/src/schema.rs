@@ -71,6 +71,7 @@ impl Field {
             Kind::Int32 => (5, None),
             Kind::Fixed32 => (7, None),
             Kind::Text => (9, None),
+            Kind::Bytes => (12, None),
             Kind::Message(name) => (11, Some(name.into())),
             Kind::Enum(name) => (14, Some(name.into())),
         };
@@ -93,6 +94,7 @@ enum Kind {
     Int32,
     Fixed32,
     Text,
+    Bytes,
     Message(&'static str),
     Enum(&'static str),
 }
@@ -270,6 +272,39 @@ pub(crate) static METRICS: Type = Type {
     enums: &[],
 };
 
+pub(crate) static READING: Type = Type {
+    package: "simbeeotic",
+    name: "Reading",
+    file: "simbeeotic/Reading.proto",
+    imports: &[&TIMESTAMP],
+    fields: &[
+        one("timestamp", 1, TIME),
+        one("sensor", 2, Kind::Text),
+        many("names", 3, Kind::Text),
+        many("units", 4, Kind::Text),
+        many("truth", 5, Kind::Double),
+        many("reading", 6, Kind::Double),
+    ],
+    enums: &[],
+};
+
+pub(crate) static RAW_IMAGE: Type = Type {
+    package: "foxglove",
+    name: "RawImage",
+    file: "foxglove/RawImage.proto",
+    imports: &[&TIMESTAMP],
+    fields: &[
+        one("timestamp", 1, TIME),
+        one("width", 2, Kind::Fixed32),
+        one("height", 3, Kind::Fixed32),
+        one("encoding", 4, Kind::Text),
+        one("step", 5, Kind::Fixed32),
+        one("data", 6, Kind::Bytes),
+        one("frame_id", 7, Kind::Text),
+    ],
+    enums: &[],
+};
+
 /// The part of `google/protobuf/descriptor.proto` that these schemas need.
 mod wire {
     use prost::Message;
@@ -366,7 +401,9 @@ mod tests {
 
     fn declared(ty: &Type) -> Vec<(i32, WireType)> {
         let wire_type = |field: &Field| match (field.kind, field.repeated) {
-            (Kind::Text | Kind::Message(_), _) | (_, true) => WireType::LengthDelimited,
+            (Kind::Text | Kind::Bytes | Kind::Message(_), _) | (_, true) => {
+                WireType::LengthDelimited
+            }
             (Kind::Double, _) => WireType::SixtyFourBit,
             (Kind::Float | Kind::Fixed32, _) => WireType::ThirtyTwoBit,
             (Kind::Int64 | Kind::Int32 | Kind::Enum(_), _) => WireType::Varint,
@@ -437,6 +474,24 @@ mod tests {
             values: vec![1.0],
         };
 
+        let reading = message::Reading {
+            timestamp,
+            sensor: text(),
+            names: vec![text()],
+            units: vec![text()],
+            truth: vec![1.0],
+            reading: vec![1.0],
+        };
+        let image = message::RawImage {
+            timestamp,
+            width: 1,
+            height: 1,
+            encoding: text(),
+            step: 1,
+            data: vec![1],
+            frame_id: text(),
+        };
+
         for (ty, bytes) in [
             (&TIMESTAMP, time.encode_to_vec()),
             (&VECTOR3, position.encode_to_vec()),
@@ -448,6 +503,8 @@ mod tests {
             (&TWISTS, twists.encode_to_vec()),
             (&EVENT, event.encode_to_vec()),
             (&METRICS, metrics.encode_to_vec()),
+            (&READING, reading.encode_to_vec()),
+            (&RAW_IMAGE, image.encode_to_vec()),
         ] {
             assert_eq!(keys(&bytes), declared(ty), "{}", ty.full_name());
         }

@@ -43,8 +43,17 @@ impl Selection {
     }
 }
 
+impl Selection {
+    /// Places of the patterns that match a path.
+    pub(crate) fn matching(&self, path: &str) -> Vec<usize> {
+        let patterns = self.models.iter().enumerate();
+        let matching = patterns.filter(|(_, pattern)| selects(pattern, path));
+        matching.map(|(place, _)| place).collect()
+    }
+}
+
 /// Whether a pattern matches a path or one of the paths above it.
-fn selects(pattern: &str, path: &str) -> bool {
+pub(crate) fn selects(pattern: &str, path: &str) -> bool {
     let above = path.match_indices('/').map(|(slash, _)| &path[..slash]);
     std::iter::once(path)
         .chain(above)

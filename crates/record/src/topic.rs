@@ -11,16 +11,21 @@ pub(crate) enum Topic {
     Log,
     Events,
     Metrics,
+    Readings,
+    /// One channel for each sensor that takes pictures, made when it takes the first.
+    Images,
 }
 
 impl Topic {
-    pub(crate) const ALL: [Topic; 6] = [
+    pub(crate) const ALL: [Topic; 8] = [
         Topic::Vehicles,
         Topic::Poses,
         Topic::Twists,
         Topic::Log,
         Topic::Events,
         Topic::Metrics,
+        Topic::Readings,
+        Topic::Images,
     ];
 
     pub(crate) fn name(self) -> &'static str {
@@ -31,11 +36,17 @@ impl Topic {
             Topic::Log => "/log",
             Topic::Events => "/events",
             Topic::Metrics => "/metrics",
+            Topic::Readings => "/readings",
+            Topic::Images => "/images",
         }
     }
 
     pub(crate) fn named(name: &str) -> Option<Topic> {
-        Topic::ALL.into_iter().find(|topic| topic.name() == name)
+        let is = |topic: &Topic| match topic {
+            Topic::Images => name.starts_with("/images/"),
+            _ => topic.name() == name,
+        };
+        Topic::ALL.into_iter().find(is)
     }
 
     pub(crate) fn schema(self) -> &'static Type {
@@ -46,6 +57,8 @@ impl Topic {
             Topic::Log => &schema::LOG,
             Topic::Events => &schema::EVENT,
             Topic::Metrics => &schema::METRICS,
+            Topic::Readings => &schema::READING,
+            Topic::Images => &schema::RAW_IMAGE,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The thread that writes: encodes, compresses and saves while the run goes on.
 
-use crate::data::{Event, LogEntry, Metrics, Sample};
+use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
 use mcap::McapResult;
@@ -14,6 +14,8 @@ pub(crate) enum Job {
     Event(Event),
     Log(LogEntry),
     Metrics(Metrics),
+    Reading(Reading),
+    Picture(Picture),
     Finish(Option<String>),
 }
 
@@ -57,6 +59,8 @@ fn write(encoder: &mut Encoder, job: Job, spare: &Sender<Vec<Sample>>) -> McapRe
         Job::Event(event) => encoder.event(event),
         Job::Log(entry) => encoder.log(entry),
         Job::Metrics(metrics) => encoder.metrics(metrics),
+        Job::Reading(reading) => encoder.reading(reading),
+        Job::Picture(picture) => encoder.picture(&picture),
         Job::Finish(_) => Ok(()),
     }
 }

@@ -111,6 +111,7 @@ impl<'a> Platform<'a> {
             host: entity.id(),
             mount: Mount::IDENTITY,
             swarm: entity.swarm,
+            watched: entity.swarm.watches(entity.id(), index),
             taken: None,
         };
         let answer = act(&mut *gear.sensors[usize::from(index)], &mut truth);

@@ -91,7 +91,10 @@ impl Simulation {
             .map(|(_, component)| Observer::new(component))
             .collect::<Vec<_>>();
         engine.domain_mut().keep_marks = !observers.is_empty();
-        engine.domain_mut().keep_readings = observers.iter().any(|o| o.component.wants_readings());
+        if !observers.is_empty() {
+            let wants = |sensor: &str| observers.iter().any(|o| o.component.wants_reading(sensor));
+            engine.domain_mut().choose_readings(wants);
+        }
         let init_s = started.elapsed().as_secs_f64();
         Ok(Self {
             engine,

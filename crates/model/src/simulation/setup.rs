@@ -181,7 +181,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         jumps: 0,
         marks: Vec::new(),
         keep_marks: false,
-        keep_readings: false,
+        watched: Vec::new(),
         gear: gears,
         radio_nanos: AtomicU64::new(0),
         medium_nanos: 0,

@@ -63,9 +63,16 @@ pub fn export_csv_file(
     selection: &Selection,
     path: impl AsRef<Path>,
 ) -> Result<Exported, ExportError> {
-    let path = path.as_ref();
+    write_file(path.as_ref(), |out| export_csv(recording, selection, out))
+}
+
+/// Publishes what `export` writes.
+pub(super) fn write_file(
+    path: &Path,
+    export: impl FnOnce(&mut dyn Write) -> Result<Exported, ExportError>,
+) -> Result<Exported, ExportError> {
     let written = publish(path, |file| {
-        export_csv(recording, selection, &mut BufWriter::new(file)).map_err(Error)
+        export(&mut BufWriter::new(file)).map_err(Error)
     });
     written.map_err(|Error(error)| match error {
         ExportError::Csv(source) => ExportError::Write {
@@ -103,7 +110,7 @@ fn numbers(text: &mut String, sample: &Sample, twists: bool) {
 }
 
 /// A text as a CSV field.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

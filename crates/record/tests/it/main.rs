@@ -5,5 +5,6 @@ mod damage;
 mod export;
 mod full_disk;
 mod killed;
+mod readings;
 mod round_trip;
 mod swarm;

@@ -159,8 +159,23 @@ pub(super) struct ExportOptions {
     /// The recording
     pub(super) recording: PathBuf,
     /// Write CSV to this file, or to standard output
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", required_unless_present = "parquet")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = "-",
+        required_unless_present_any = ["parquet", "readings"]
+    )]
     pub(super) csv: Option<PathBuf>,
+    /// Write what sensors read, and the truth beside it, as CSV to this file or to standard output
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = "-",
+        conflicts_with_all = ["csv", "parquet"]
+    )]
+    pub(super) readings: Option<PathBuf>,
     /// Write Parquet to this file, or beside the recording
     #[arg(
         long,
@@ -170,10 +185,10 @@ pub(super) struct ExportOptions {
         conflicts_with = "csv"
     )]
     pub(super) parquet: Option<PathBuf>,
-    /// Only models whose path matches: bee-*, hive/bee-1
+    /// Only models (of readings: sensors) whose path matches: bee-*, hive/bee-1, */imu
     #[arg(long, value_name = "PATTERN")]
     pub(super) model: Option<String>,
-    /// Only every n-th tick
+    /// Only every n-th tick (of readings: of each sensor's)
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) every: u64,
     /// Only ticks from this time on: "10 s"

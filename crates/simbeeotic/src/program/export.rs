@@ -5,6 +5,7 @@ use super::{Failure, input, remark, same_file, show};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{
     ExportError, Exported, Recording, Selection, export_csv, export_csv_file, export_parquet,
+    export_readings, export_readings_file,
 };
 use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::num::NonZeroU64;
@@ -21,10 +22,21 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
         ));
     }
     let selection = selection(options)?;
-    let (exported, target) = match (&options.csv, &options.parquet) {
-        (Some(path), _) if path == Path::new("-") => {
+    type ToFile = fn(&Recording, &Selection, &Path) -> Result<Exported, ExportError>;
+    let to_file: ToFile = match (&options.readings, &options.csv) {
+        (Some(_), _) => {
+            |recording, selection, path| export_readings_file(recording, selection, path)
+        }
+        (None, Some(_)) => |recording, selection, path| export_csv_file(recording, selection, path),
+        (None, None) => |recording, selection, path| export_parquet(recording, selection, path),
+    };
+    let target = match options.readings.as_ref().or(options.csv.as_ref()) {
+        Some(path) if path == Path::new("-") => {
             let mut out = BufWriter::new(stdout().lock());
-            let result = export_csv(&recording, &selection, &mut out);
+            let result = match options.readings {
+                Some(_) => export_readings(&recording, &selection, &mut out),
+                None => export_csv(&recording, &selection, &mut out),
+            };
             return match result {
                 // A reader that has gone away (`| head`) has what it wanted.
                 Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -35,23 +47,14 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
                 },
             };
         }
-        (Some(path), _) => {
-            keep_recording(options, path)?;
-            (
-                export_csv_file(&recording, &selection, path).map_err(failed)?,
-                path.clone(),
-            )
-        }
-        (None, parquet) => {
-            let named = parquet.clone().filter(|p| p != Path::new(BESIDE));
-            let path = named.unwrap_or_else(|| options.recording.with_extension("parquet"));
-            keep_recording(options, &path)?;
-            (
-                export_parquet(&recording, &selection, &path).map_err(failed)?,
-                path,
-            )
+        Some(path) => path.clone(),
+        None => {
+            let named = options.parquet.clone().filter(|p| p != Path::new(BESIDE));
+            named.unwrap_or_else(|| options.recording.with_extension("parquet"))
         }
     };
+    keep_recording(options, &target)?;
+    let exported = to_file(&recording, &selection, &target).map_err(failed)?;
     report(&exported, &target);
     Ok(())
 }

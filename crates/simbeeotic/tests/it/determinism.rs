@@ -28,6 +28,13 @@ fn threads_recording_and_repetition_do_not_show() {
     );
     assert_eq!(first, run(&["--record", "run.mcap"]), "recorded");
     assert_eq!(first, run(&["--no-record", "--real-time", "1000"]), "paced");
+    let readings = [
+        "--record",
+        "run.mcap",
+        "--set",
+        "component.recorder.readings=[\"*\"]",
+    ];
+    assert_eq!(first, run(&readings), "with all readings");
     assert_ne!(
         first,
         run(&["--no-record", "--seed", "2"]),

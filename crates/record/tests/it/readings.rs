@@ -1,0 +1,102 @@
+//! Readings and pictures: as recorded, so read; and as a table.
+
+use simbeeotic_model::{Image, Pixels};
+use simbeeotic_record::{
+    Header, Picture, Reading, Recorder, Recording, Selection, export_readings, export_readings_file,
+};
+use std::path::Path;
+
+fn reading(sensor: &str, step: u64) -> Reading {
+    let value = step as f64;
+    Reading {
+        time_ns: step * 10_000_000,
+        sensor: sensor.to_owned(),
+        names: vec!["forward".into(), "left".into()],
+        units: vec!["m/s^2".into(); 2],
+        truth: vec![value, -value],
+        reading: vec![value + 0.5, f64::NAN],
+    }
+}
+
+fn picture(step: u64) -> Picture {
+    Picture {
+        time_ns: step * 10_000_000,
+        path: "bee-0/camera/depth".into(),
+        image: Image {
+            width: 2,
+            height: 1,
+            pixels: Pixels::Depth([step as f32, f32::INFINITY].into()),
+        },
+    }
+}
+
+fn record(path: &Path) -> Recording {
+    let mut recorder = Recorder::create(path, Header::default()).expect("it can be made");
+    for step in 0..10 {
+        recorder
+            .reading(reading("bee-0/imu", step))
+            .expect("written");
+        recorder
+            .reading(reading("bee-1/imu", step))
+            .expect("written");
+        recorder.picture(picture(step)).expect("written");
+    }
+    recorder.finish(&serde_json::Value::Null).expect("finished");
+    Recording::open(path).expect("it opens")
+}
+
+#[test]
+fn readings_and_pictures_come_back_as_they_were() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let recording = record(&folder.path().join("run.mcap"));
+    let readings: Vec<_> = recording.readings().map(|r| r.expect("whole")).collect();
+    assert_eq!(readings.len(), 20);
+    let third = &readings[6];
+    let wanted = reading("bee-0/imu", 3);
+    assert_eq!(
+        (&third.sensor, &third.truth),
+        (&wanted.sensor, &wanted.truth)
+    );
+    assert_eq!((&third.names, &third.units), (&wanted.names, &wanted.units));
+    assert!(third.reading[0] == 3.5 && third.reading[1].is_nan());
+
+    let pictures: Vec<_> = (recording.pictures_in(20_000_000..=40_000_000))
+        .map(|p| p.expect("whole"))
+        .collect();
+    assert_eq!(pictures, [picture(2), picture(3), picture(4)]);
+}
+
+#[test]
+fn the_table_has_a_row_for_each_number() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let recording = record(&folder.path().join("run.mcap"));
+    let selection = Selection {
+        every: 5.try_into().expect("not zero"),
+        models: vec!["bee-1".into()],
+        ..Selection::default()
+    };
+    let mut text = Vec::new();
+    let exported = export_readings(&recording, &selection, &mut text).expect("exported");
+    assert_eq!((exported.rows, exported.ticks), (4, 2));
+    let text = String::from_utf8(text).expect("text");
+    let lines: Vec<_> = text.lines().collect();
+    assert_eq!(
+        lines,
+        [
+            "time_s,time_ns,sensor,row,quantity,unit,truth,reading",
+            "0,0,bee-1/imu,0,forward,m/s^2,0,0.5",
+            "0,0,bee-1/imu,0,left,m/s^2,-0,NaN",
+            "0.05,50000000,bee-1/imu,0,forward,m/s^2,5,5.5",
+            "0.05,50000000,bee-1/imu,0,left,m/s^2,-5,NaN",
+        ]
+    );
+
+    let path = folder.path().join("readings.csv");
+    let nobody = Selection {
+        models: vec!["wasp".into()],
+        ..Selection::default()
+    };
+    let error = export_readings_file(&recording, &nobody, &path).expect_err("no such sensor");
+    assert!(error.to_string().contains("bee-0/imu"), "{error}");
+    assert!(!path.exists(), "nothing is published");
+}
