@@ -4,7 +4,9 @@ use crate::xml::{self, Document};
 use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span, Value, read_params};
 use simbeeotic_model::objects;
-use simbeeotic_world::{Obstacle, ObstacleShape, Patch, Person, Solid, Structure, World};
+use simbeeotic_world::{
+    Material, Obstacle, ObstacleShape, Patch, Person, Place, Solid, Spawn, Structure, World,
+};
 use std::path::Path;
 
 /// Reads a world file. `asked` is where a scenario names it.
@@ -53,11 +55,13 @@ pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
     };
     let errors = world.check();
     let sound = errors.is_empty();
-    faults.extend(
-        errors
-            .into_iter()
-            .map(|e| Fault::error(place(node, &e.path), e.message)),
-    );
+    faults.extend(errors.into_iter().map(|e| {
+        let fault = Fault::error(place(node, &e.path), e.message);
+        match e.help {
+            Some(help) => fault.help(help),
+            None => fault,
+        }
+    }));
     if !sound {
         return None;
     }
@@ -98,11 +102,14 @@ fn all_faults(node: &Node) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut rest = node.clone();
     if let Some(table) = rest.as_table_mut() {
-        let lists: [(&str, Look); 4] = [
+        let lists: [(&str, Look); 7] = [
             ("obstacle", faults_of::<Obstacle>),
             ("structure", faults_of::<Structure>),
             ("patch", faults_of::<Patch>),
             ("person", faults_of::<Person>),
+            ("material", faults_of::<Material>),
+            ("spawn", faults_of::<Spawn>),
+            ("place", faults_of::<Place>),
         ];
         for (key, look) in lists {
             if table.get(key).and_then(Node::as_array).is_some()
@@ -129,11 +136,21 @@ fn faults_of<T: DeserializeOwned>(node: &Node) -> Vec<Fault> {
 }
 
 /// The place of a path of keys and indices: of the deepest part of it that was written.
+///
+/// A list of one may have been written in short: `door = { ... }` for `doors = [{ ... }]`.
 fn place(node: &Node, path: &str) -> Span {
     let mut here = node;
+    let mut in_short = false;
     for key in path.split('.') {
+        if std::mem::take(&mut in_short) {
+            continue;
+        }
         let next = match &here.value {
-            Value::Table(table) => table.get(key),
+            Value::Table(table) => table.get(key).or_else(|| {
+                let one = table.get(key.strip_suffix('s')?)?;
+                in_short = one.as_table().is_some();
+                Some(one)
+            }),
             Value::Array(items) => key.parse().ok().and_then(|at: usize| items.get(at)),
             _ => None,
         };

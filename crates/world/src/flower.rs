@@ -5,7 +5,6 @@
 
 use crate::look::{Color, Meta};
 use crate::solid::{Object, ObjectId, ObjectKind, Solid, SolidShape};
-use crate::surface::{Surface, friction};
 use crate::world::World;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -23,15 +22,19 @@ pub struct Patch {
     pub radius: Length,
     /// How many flowers stand on one square metre. Not negative.
     pub flowers_per_m2: f64,
-    /// Coulomb friction of its flowers, 0 to 1000.
-    #[serde(default = "friction")]
-    pub friction: f64,
-    /// Restitution of its flowers: how much of a speed is left after a bounce, 0 to 1.
-    #[serde(default)]
-    pub restitution: f64,
-    /// The colour of the flowers.
-    #[serde(default = "pink")]
-    pub color: Color,
+    /// What its flowers are made of: a material of this world or one that is built in.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+    /// Coulomb friction of its flowers, 0 to 1000. Their material's, or 0.5, if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Restitution of its flowers: how much of a speed is left after a bounce, 0 to 1. Their
+    /// material's, or 0, if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<f64>,
+    /// The colour of the flowers. Their material's, or `#ff6697`, if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<Color>,
     /// What it is called. A patch with a label keeps its flowers where they are when other patches
     /// come and go.
     #[serde(default)]
@@ -41,19 +44,16 @@ pub struct Patch {
     pub meta: Meta,
 }
 
-fn pink() -> Color {
-    Color::rgb(255, 102, 151)
-}
-
 impl Default for Patch {
     fn default() -> Self {
         Self {
             center: Position::ZERO,
             radius: Length::si(1.0),
             flowers_per_m2: 1.0,
-            friction: friction(),
-            restitution: Surface::USUAL.restitution,
-            color: pink(),
+            material: None,
+            friction: None,
+            restitution: None,
+            color: None,
             label: String::new(),
             meta: Meta::new(),
         }
@@ -61,6 +61,9 @@ impl Default for Patch {
 }
 
 impl Patch {
+    /// The colour of flowers that have neither one of their own nor a material with one.
+    pub const COLOR: Color = Color::rgb(255, 102, 151);
+
     /// How many flowers it has: the area times the density, cut to a whole number.
     pub fn count(&self) -> usize {
         let radius_m = self.radius.get();
@@ -98,8 +101,20 @@ impl Default for FlowerShape {
 pub struct Flower {
     /// Its patch, by index.
     pub patch: usize,
+    /// Which of its patch it is, from 0.
+    pub item: u32,
     /// Where its stem leaves the ground.
     pub foot: Position,
+}
+
+impl Flower {
+    /// Which object of the world it is.
+    pub const fn id(&self) -> ObjectId {
+        ObjectId {
+            item: self.item,
+            ..ObjectId::new(ObjectKind::Flower, self.patch as u32)
+        }
+    }
 }
 
 /// Half the thickness of a patch that is drawn as one disc, in metres.
@@ -115,12 +130,8 @@ impl World {
     pub fn flowers(&self, seed: u64) -> Vec<Flower> {
         let mut all = Vec::new();
         for (patch, at) in self.patches.iter().enumerate() {
-            let path = match at.label.as_str() {
-                "" => format!("world/patch-{patch}"),
-                label => format!("world/{label}"),
-            };
-            let mut stream = Stream::new(seed, &path, "flowers");
-            all.extend((0..at.count()).map(|_| {
+            let mut stream = Stream::new(seed, &self.patch_path(patch), "flowers");
+            all.extend((0..at.count()).map(|item| {
                 let radius_m = at.radius.get() * stream.uniform().sqrt();
                 let (sin, cos) = math::sin_cos(TAU * stream.uniform());
                 let offset = Position::new(
@@ -130,6 +141,7 @@ impl World {
                 );
                 Flower {
                     patch,
+                    item: item as u32,
                     foot: at.center + offset,
                 }
             }));
@@ -137,41 +149,44 @@ impl World {
         all
     }
 
+    /// What a patch's draws hang on.
+    pub(crate) fn patch_path(&self, patch: usize) -> String {
+        match self.patches[patch].label.as_str() {
+            "" => format!("world/patch-{patch}"),
+            label => format!("world/{label}"),
+        }
+    }
+
     pub(crate) fn flower_objects(&self, seed: u64) -> Vec<Object<'_>> {
-        let object = |at: usize, item: u32, alpha: Option<u8>, solids| {
-            let patch = &self.patches[at];
+        let object = |id: ObjectId, alpha: Option<u8>, solids| {
+            let patch = &self.patches[id.index as usize];
+            let material = self.known_material(patch.material.as_deref());
+            let color = Self::color(patch.color, material, Patch::COLOR);
             Object {
-                id: ObjectId {
-                    item,
-                    ..ObjectId::new(ObjectKind::Flower, at as u32)
-                },
+                id,
                 label: &patch.label,
                 color: Color {
-                    alpha: alpha.unwrap_or(patch.color.alpha),
-                    ..patch.color
+                    alpha: alpha.unwrap_or(color.alpha),
+                    ..color
                 },
                 texture: None,
                 meta: &patch.meta,
-                surface: Surface {
-                    friction: patch.friction,
-                    restitution: patch.restitution,
-                },
+                surface: Self::surface(patch.friction, patch.restitution, material),
+                material,
                 solids,
             }
         };
         if self.approximate_patches {
-            let patches = self.patches.iter().enumerate();
-            return patches
-                .map(|(at, patch)| object(at, 0, Some(DISC_ALPHA), vec![disc(patch)]))
-                .collect();
+            let patches = self.patches.iter().enumerate().map(|(at, patch)| {
+                let id = ObjectId::new(ObjectKind::Flower, at as u32);
+                object(id, Some(DISC_ALPHA), vec![disc(patch)])
+            });
+            return patches.collect();
         }
-        let mut items = vec![0; self.patches.len()];
-        let flowers = self.flowers(seed).into_iter().map(|flower| {
-            let item = items[flower.patch];
-            items[flower.patch] += 1;
-            object(flower.patch, item, None, self.flower.solids(flower.foot))
-        });
-        flowers.collect()
+        let flowers = self.flowers(seed).into_iter();
+        flowers
+            .map(|flower| object(flower.id(), None, self.flower.solids(flower.foot)))
+            .collect()
     }
 }
 

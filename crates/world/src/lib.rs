@@ -24,28 +24,39 @@
 //! A *rotation* is about `z`, counter-clockwise seen from above.
 //!
 //! Reading order: [`world`] (the whole), [`look`] (colour, texture, metadata), [`obstacle`],
-//! [`structure`], [`flower`], [`person`], [`terrain`] (what stands in it), [`surface`] (how it feels), [`solid`] (what it is made of),
-//! [`check`] (what cannot be), [`weather`] (the air).
+//! [`structure`], [`flower`], [`person`], [`terrain`] (what stands in it), [`mesh`] (shapes of points),
+//! [`surface`] and [`material`] (how it feels, what it is made of), [`spawn`] (where to start, places
+//! with a name), [`solid`] (the primitives), [`within`] (what is near), [`check`] (what cannot be),
+//! [`spelling`] (what files may say in two ways), [`weather`] (the air).
 
 pub mod check;
+mod cut;
 pub mod flower;
 pub mod look;
+pub mod material;
+pub mod mesh;
 pub mod obstacle;
 pub mod person;
 pub mod solid;
+pub mod spawn;
+pub mod spelling;
 pub mod structure;
 pub mod surface;
 pub mod terrain;
 pub mod weather;
+pub mod within;
 pub mod world;
 
 pub use check::WorldError;
 pub use flower::{Flower, FlowerShape, Patch};
 pub use look::{Color, ColorError, Meta, Texture};
+pub use material::{Dielectric, LossRow, Material};
+pub use mesh::{Hull, Mesh, UpAxis};
 pub use obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 pub use person::{Person, PersonShape};
 pub use solid::{Object, ObjectId, ObjectKind, Solid, SolidShape};
-pub use structure::{Door, Structure, StructureShape, Trap};
+pub use spawn::{Place, Spawn, SpawnPose, SpawnShape};
+pub use structure::{Door, Slab, Structure, StructureShape, Trap, Wall, Window};
 pub use surface::Surface;
 pub use terrain::{HeightField, Terrain};
 pub use weather::{Calm, Weather};

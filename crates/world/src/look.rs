@@ -2,6 +2,7 @@
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use simbeeotic_units::did_you_mean;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -113,10 +114,47 @@ impl JsonSchema for Color {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Texture {
-    /// A picture that comes with the program, by name: `"grass_1"`.
+    /// A picture that comes with the program: `"brick"`, `"grass"`, `"metal"`, `"sky"`, `"stone"`,
+    /// `"tree"`, `"wood"`, or one of several of a kind by its number, `"grass_1"`.
     Builtin(String),
-    /// A picture file, relative to the world file.
+    /// A picture file, PNG or JPEG, relative to the world file.
     File(String),
+}
+
+/// Why a texture is none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct TextureError {
+    pub(crate) message: String,
+    pub(crate) help: String,
+}
+
+impl Texture {
+    /// The kinds of pictures that come with the program.
+    pub const BUILTIN: [&str; 7] = ["brick", "grass", "metal", "sky", "stone", "tree", "wood"];
+
+    /// Whether a name is that of a picture that comes with the program.
+    pub fn is_builtin(name: &str) -> bool {
+        let kind = match name.rsplit_once('_') {
+            Some((kind, number)) if number.parse::<u8>().is_ok() => kind,
+            _ => name,
+        };
+        Self::BUILTIN.contains(&kind)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), TextureError> {
+        match self {
+            Self::Builtin(name) if !Self::is_builtin(name) => {
+                let kind = name.split('_').next().unwrap_or_default();
+                let help = match did_you_mean(kind, Self::BUILTIN) {
+                    Some(guess) => format!("did you mean `{guess}`?"),
+                    None => format!("known: `{}`", Self::BUILTIN.join("`, `")),
+                };
+                let message = format!("unknown texture `{name}`");
+                Err(TextureError { message, help })
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,11 +1,13 @@
 //! Obstacles: things that stand in the way.
 
 use crate::look::{Color, Meta, Texture};
+use crate::mesh::{Hull, Mesh};
 use crate::solid::{Solid, SolidShape};
-use crate::surface::{Surface, friction};
-use schemars::JsonSchema;
+use crate::spelling::{Ball, Round, needed, needed_height};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 use simbeeotic_units::{Angle, Attitude, Length, Offset, Position, Yaw};
+use std::sync::Arc;
 
 /// A thing in the way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,12 +21,20 @@ pub struct Obstacle {
     pub attitude: Attitude,
     /// What it is.
     pub shape: ObstacleShape,
-    /// Coulomb friction of its surface, 0 to 1000.
-    pub friction: f64,
-    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1.
-    pub restitution: f64,
-    /// Its colour.
-    pub color: Color,
+    /// What it is made of: a material of this world or one that is built in. Nothing known if left
+    /// out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+    /// Coulomb friction of its surface, 0 to 1000. Its material's, or 0.5, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1. Its material's,
+    /// or 0, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<f64>,
+    /// Its colour. Its material's, or `#8c8c8c`, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<Color>,
     /// Its texture, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub texture: Option<Texture>,
@@ -34,7 +44,12 @@ pub struct Obstacle {
     pub meta: Meta,
 }
 
-fn is_upright(attitude: &Attitude) -> bool {
+impl Obstacle {
+    /// The colour of an obstacle that has neither one of its own nor a material with one.
+    pub const COLOR: Color = Color::rgb(140, 140, 140);
+}
+
+pub(crate) fn is_upright(attitude: &Attitude) -> bool {
     *attitude == Attitude::IDENTITY
 }
 
@@ -44,9 +59,10 @@ impl Default for Obstacle {
             position: Position::ZERO,
             attitude: Attitude::IDENTITY,
             shape: ObstacleShape::default(),
-            friction: friction(),
-            restitution: Surface::USUAL.restitution,
-            color: Color::rgb(140, 140, 140),
+            material: None,
+            friction: None,
+            restitution: None,
+            color: None,
             texture: None,
             label: String::new(),
             meta: Meta::new(),
@@ -55,46 +71,39 @@ impl Default for Obstacle {
 }
 
 /// The shape of an obstacle. All sizes are above 0; 1 m where a file leaves them out.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+///
+/// Files say the width of what is round as a `diameter` or as a `radius`, as they like.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", try_from = "ShapeFile")]
 pub enum ObstacleShape {
     /// A box.
     Box {
         /// Size along `x`.
-        #[serde(default = "metre")]
         length: Length,
         /// Size along `y`.
-        #[serde(default = "metre")]
         width: Length,
         /// Size along `z`.
-        #[serde(default = "metre")]
         height: Length,
         /// Turned about `z` through its middle, counter-clockwise.
-        #[serde(default)]
         rotation: Angle,
     },
     /// An upright cylinder.
     Cylinder {
         /// Across.
-        #[serde(default = "metre")]
         diameter: Length,
         /// Size along `z`.
-        #[serde(default = "metre")]
         height: Length,
     },
     /// A sphere.
     Sphere {
         /// Its radius.
-        #[serde(default = "metre")]
         radius: Length,
     },
     /// An upright cone, tip up.
     Cone {
         /// The radius of its base.
-        #[serde(default = "metre")]
         radius: Length,
         /// From base to tip.
-        #[serde(default = "metre")]
         height: Length,
     },
     /// An upright cylinder with a half ball at each end.
@@ -105,19 +114,107 @@ pub enum ObstacleShape {
         height: Length,
     },
     /// The smallest convex body that holds some points.
-    Hull {
-        /// Four points or more, not all in one plane.
-        points: Vec<Offset>,
-    },
+    Hull(Hull),
     /// A surface of triangles: solid where it is, hollow inside.
-    Mesh {
-        /// Corners of triangles.
-        points: Vec<Offset>,
-        /// Three corners each, counter-clockwise seen from outside, as places in `points`, from 0.
-        triangles: Vec<[u32; 3]>,
-    },
+    Mesh(Mesh),
     /// Several shapes that are one obstacle.
     Parts(Vec<ObstaclePart>),
+}
+
+/// The shape of an obstacle as files spell it.
+#[derive(Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+enum ShapeFile {
+    /// A box.
+    Box(BoxFile),
+    /// An upright cylinder. 1 m across and high where they are left out.
+    Cylinder(Round),
+    /// A sphere. Its radius is 1 m if its width is left out.
+    Sphere(Ball),
+    /// An upright cone, tip up, as wide as its base. Its radius and height are 1 m where they are left
+    /// out.
+    Cone(Round),
+    /// An upright cylinder with a half ball at each end: higher than it is wide.
+    Capsule(Round),
+    /// The smallest convex body that holds some points.
+    Hull(Hull),
+    /// A surface of triangles: solid where it is, hollow inside.
+    Mesh(Mesh),
+    /// Several shapes that are one obstacle.
+    Parts(Vec<ObstaclePart>),
+}
+
+/// A box as files spell it. Sizes are above 0; 1 m where they are left out.
+#[derive(Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+struct BoxFile {
+    /// Size along `x`.
+    length: Length,
+    /// Size along `y`.
+    width: Length,
+    /// Size along `z`.
+    height: Length,
+    /// Turned about `z` through its middle, counter-clockwise.
+    rotation: Angle,
+}
+
+impl Default for BoxFile {
+    fn default() -> Self {
+        Self {
+            length: metre(),
+            width: metre(),
+            height: metre(),
+            rotation: Angle::ZERO,
+        }
+    }
+}
+
+impl TryFrom<ShapeFile> for ObstacleShape {
+    type Error = String;
+
+    fn try_from(file: ShapeFile) -> Result<Self, String> {
+        Ok(match file {
+            ShapeFile::Box(BoxFile {
+                length,
+                width,
+                height,
+                rotation,
+            }) => Self::Box {
+                length,
+                width,
+                height,
+                rotation,
+            },
+            ShapeFile::Cylinder(round) => Self::Cylinder {
+                diameter: round.radius()?.map_or(metre(), |radius| radius * 2.0),
+                height: round.height.unwrap_or(metre()),
+            },
+            ShapeFile::Sphere(ball) => Self::Sphere {
+                radius: ball.radius()?.unwrap_or(metre()),
+            },
+            ShapeFile::Cone(round) => Self::Cone {
+                radius: round.radius()?.unwrap_or(metre()),
+                height: round.height.unwrap_or(metre()),
+            },
+            ShapeFile::Capsule(round) => Self::Capsule {
+                radius: needed(round.radius()?)?,
+                height: needed_height(round.height)?,
+            },
+            ShapeFile::Hull(hull) => Self::Hull(hull),
+            ShapeFile::Mesh(mesh) => Self::Mesh(mesh),
+            ShapeFile::Parts(parts) => Self::Parts(parts),
+        })
+    }
+}
+
+impl JsonSchema for ObstacleShape {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "ObstacleShape".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        ShapeFile::json_schema(generator)
+    }
 }
 
 /// One of the shapes that make an obstacle.
@@ -194,13 +291,16 @@ impl ObstacleShape {
                 };
                 upright(shape, height * 0.5)
             }
-            Self::Hull { points } => {
-                let points = points.as_slice().into();
+            Self::Hull(hull) => {
+                let points = Arc::clone(&hull.points);
                 upright(SolidShape::Hull { points }, Length::ZERO)
             }
-            Self::Mesh { points, triangles } => {
-                let (points, triangles) = (points.as_slice().into(), triangles.as_slice().into());
-                upright(SolidShape::Mesh { points, triangles }, Length::ZERO)
+            Self::Mesh(mesh) => {
+                let shape = SolidShape::Mesh {
+                    points: Arc::clone(&mesh.points),
+                    triangles: Arc::clone(&mesh.triangles),
+                };
+                upright(shape, Length::ZERO)
             }
             Self::Parts(_) => None,
         }
@@ -208,6 +308,17 @@ impl ObstacleShape {
 }
 
 impl Obstacle {
+    /// Its middle: that of its primitive, or the mean of those of its parts; its position if it has
+    /// none.
+    pub fn middle(&self) -> Position {
+        let solids = self.solids();
+        if solids.is_empty() {
+            return self.position;
+        }
+        let sum: glam::DVec3 = solids.iter().map(|solid| solid.center.si()).sum();
+        Position::from_si(sum / solids.len() as f64)
+    }
+
     /// The primitives it is, standing on [`Obstacle::position`].
     ///
     /// The height of the position counts; the original put everything on the ground. Parts of parts,
@@ -267,7 +378,7 @@ mod tests {
             ),
             (ObstacleShape::Capsule { radius, height }, 4.5),
             (ObstacleShape::default(), 3.5),
-            (ObstacleShape::Hull { points: Vec::new() }, 3.0),
+            (ObstacleShape::Hull(Hull::default()), 3.0),
         ];
         for (shape, z_m) in shapes {
             let obstacle = Obstacle {
@@ -278,6 +389,42 @@ mod tests {
             let solids = obstacle.solids();
             assert_eq!(solids.len(), 1);
             assert_eq!(solids[0].center.si().to_array(), [1.0, 2.0, z_m]);
+        }
+    }
+
+    #[test]
+    fn files_say_how_wide_a_round_thing_is_as_they_like() {
+        let shape = |text: &str| serde_json::from_str::<ObstacleShape>(text);
+        for (one, other) in [
+            (
+                r#"{"sphere": {"diameter": "3 m"}}"#,
+                r#"{"sphere": {"radius": "1.5 m"}}"#,
+            ),
+            (
+                r#"{"cylinder": {"diameter": "3 m"}}"#,
+                r#"{"cylinder": {"radius": "1.5 m"}}"#,
+            ),
+            (
+                r#"{"cone": {"diameter": "3 m"}}"#,
+                r#"{"cone": {"radius": "1.5 m"}}"#,
+            ),
+            (
+                r#"{"capsule": {"diameter": "3 m", "height": "9 m"}}"#,
+                r#"{"capsule": {"radius": "1.5 m", "height": "9 m"}}"#,
+            ),
+        ] {
+            assert_eq!(shape(one).expect("good"), shape(other).expect("good"));
+        }
+        let radius = m(1.0);
+        let sphere = shape(r#"{"sphere": {}}"#).expect("good");
+        assert_eq!(sphere, ObstacleShape::Sphere { radius });
+        for text in [
+            r#"{"sphere": {"radius": "1 m", "diameter": "2 m"}}"#,
+            r#"{"sphere": {"height": "1 m"}}"#,
+            r#"{"capsule": {"height": "1 m"}}"#,
+            r#"{"capsule": {"diameter": "1 m"}}"#,
+        ] {
+            assert!(shape(text).is_err(), "{text}");
         }
     }
 

@@ -3,12 +3,11 @@
 use crate::look::{Color, Meta};
 use crate::obstacle::metre;
 use crate::solid::Solid;
-use crate::surface::{Surface, friction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use simbeeotic_units::{Angle, Length, Position};
+use simbeeotic_units::{Angle, Attitude, Length, Position, Yaw};
 
-/// A person who stands still, facing `y`.
+/// A person who stands still, facing `y` unless turned.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Person {
@@ -16,16 +15,31 @@ pub struct Person {
     pub position: Position,
     /// What the person is.
     pub shape: PersonShape,
-    /// Coulomb friction of its surface, 0 to 1000.
-    pub friction: f64,
-    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1.
-    pub restitution: f64,
-    /// The colour.
-    pub color: Color,
+    /// Turned about a vertical axis through the position, counter-clockwise.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub rotation: Angle,
+    /// What the person is made of: a material of this world or one that is built in. Nothing known if left
+    /// out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+    /// Coulomb friction of its surface, 0 to 1000. Its material's, or 0.5, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Restitution of its surface: how much of a speed is left after a bounce, 0 to 1. Its material's,
+    /// or 0, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<f64>,
+    /// The colour. The material's, or `#cdaf9580`, if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<Color>,
     /// What the person is called; empty for nothing.
     pub label: String,
     /// Names and values that contacts and sensors can read.
     pub meta: Meta,
+}
+
+fn is_zero(angle: &Angle) -> bool {
+    *angle == Angle::ZERO
 }
 
 impl Default for Person {
@@ -33,9 +47,11 @@ impl Default for Person {
         Self {
             position: Position::ZERO,
             shape: PersonShape::default(),
-            friction: friction(),
-            restitution: Surface::USUAL.restitution,
-            color: Color::rgba(205, 175, 149, 128),
+            rotation: Angle::ZERO,
+            material: None,
+            friction: None,
+            restitution: None,
+            color: None,
             label: String::new(),
             meta: Meta::new(),
         }
@@ -83,20 +99,26 @@ const BODY: [[f64; 4]; 7] = [
 ];
 
 impl Person {
+    /// The colour of a person who has neither one of their own nor a material with one.
+    pub const COLOR: Color = Color::rgba(205, 175, 149, 128);
+
+    /// The middle between sole and crown.
+    pub fn middle(&self) -> Position {
+        let PersonShape::Man { height, .. } = self.shape;
+        self.position + Position::new(Length::ZERO, Length::ZERO, height * 0.5)
+    }
+
     /// The boxes the figure is made of. The arms hang one cell beside the torso.
     pub fn solids(&self) -> Vec<Solid> {
         let PersonShape::Man { width, height } = self.shape;
         let (across_m, up_m) = (width.get() / CELLS, height.get() / CELLS);
         let thick_m = HALF_THICKNESS * height.get();
+        let attitude = Attitude::from_yaw(Yaw::new(self.rotation));
         let boxed = |[left, right, bottom, top]: [f64; 4]| {
             let x_m = |cell: f64| (cell - 0.5 * CELLS) * across_m;
             let low = [x_m(left), -thick_m, bottom * up_m];
-            Solid::turned_box(
-                self.position,
-                Angle::ZERO,
-                low,
-                [x_m(right), thick_m, top * up_m],
-            )
+            let high = [x_m(right), thick_m, top * up_m];
+            Solid::boxed(self.position, attitude, low, high)
         };
         BODY.into_iter().map(boxed).collect()
     }

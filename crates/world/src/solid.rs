@@ -1,8 +1,9 @@
 //! The primitives that every object is made of.
 
 use crate::look::{Color, Meta, Texture};
+use crate::material::Material;
 use crate::surface::Surface;
-use simbeeotic_units::{Angle, Attitude, Length, Offset, Pose, Position, Yaw};
+use simbeeotic_units::{Attitude, Length, Offset, Pose, Position};
 use std::fmt;
 use std::sync::Arc;
 
@@ -87,17 +88,16 @@ impl Solid {
         Pose::new(self.center, self.attitude)
     }
 
-    /// A box that is turned about a vertical axis through `pivot`; `low` and `high` are two
-    /// opposite corners before the turn, relative to the pivot, in metres.
-    pub(crate) fn turned_box(
+    /// A box that is turned about `pivot`; `low` and `high` are two opposite corners before the turn,
+    /// relative to the pivot, in metres.
+    pub(crate) fn boxed(
         pivot: Position,
-        turn: Angle,
+        attitude: Attitude,
         low_m: [f64; 3],
         high_m: [f64; 3],
     ) -> Self {
         let middle = |i: usize| 0.5 * (low_m[i] + high_m[i]);
         let half = |i: usize| Length::si(0.5 * (high_m[i] - low_m[i]));
-        let attitude = Attitude::from_yaw(Yaw::new(turn));
         let middle = Offset::from_xyz(middle(0), middle(1), middle(2));
         let shape = SolidShape::Box {
             half_length: half(0),
@@ -194,6 +194,8 @@ pub struct Object<'w> {
     pub meta: &'w Meta,
     /// How it feels.
     pub surface: Surface,
+    /// What it is made of, if that is known.
+    pub material: Option<&'w Material>,
     /// What it is made of.
     pub solids: Vec<Solid>,
 }
@@ -201,12 +203,13 @@ pub struct Object<'w> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use simbeeotic_units::{Angle, Yaw};
 
     #[test]
     fn a_box_turns_about_its_pivot_and_not_about_its_middle() {
         let pivot = Position::from_xyz(10.0, 20.0, 0.0);
-        let quarter = Angle::from_turns(0.25);
-        let solid = Solid::turned_box(pivot, quarter, [0.0, 0.0, 0.0], [4.0, 2.0, 3.0]);
+        let quarter = Attitude::from_yaw(Yaw::new(Angle::from_turns(0.25)));
+        let solid = Solid::boxed(pivot, quarter, [0.0, 0.0, 0.0], [4.0, 2.0, 3.0]);
         let center = solid.center.si();
         assert!(
             (center - glam::DVec3::new(9.0, 22.0, 1.5)).length() < 1e-12,

@@ -27,8 +27,3 @@ impl Default for Surface {
         Self::USUAL
     }
 }
-
-/// [`Surface::USUAL`]'s friction, for files.
-pub(crate) const fn friction() -> f64 {
-    Surface::USUAL.friction
-}

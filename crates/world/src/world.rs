@@ -2,9 +2,11 @@
 
 use crate::flower::{FlowerShape, Patch};
 use crate::look::{Color, Meta, Texture};
+use crate::material::{BUILT_IN, Material};
 use crate::obstacle::Obstacle;
 use crate::person::Person;
 use crate::solid::{Object, ObjectId, ObjectKind};
+use crate::spawn::{Place, Spawn};
 use crate::structure::Structure;
 use crate::surface::Surface;
 use crate::terrain::{Terrain, green};
@@ -39,6 +41,15 @@ pub struct World {
     /// People.
     #[serde(rename = "person")]
     pub people: Vec<Person>,
+    /// What things are made of, besides what is built in.
+    #[serde(rename = "material", skip_serializing_if = "Vec::is_empty")]
+    pub materials: Vec<Material>,
+    /// Areas where vehicles may start.
+    #[serde(rename = "spawn", skip_serializing_if = "Vec::is_empty")]
+    pub spawns: Vec<Spawn>,
+    /// Places with a name.
+    #[serde(rename = "place", skip_serializing_if = "Vec::is_empty")]
+    pub places: Vec<Place>,
 }
 
 impl Default for World {
@@ -53,6 +64,9 @@ impl Default for World {
             structures: Vec::new(),
             patches: Vec::new(),
             people: Vec::new(),
+            materials: Vec::new(),
+            spawns: Vec::new(),
+            places: Vec::new(),
         }
     }
 }
@@ -63,50 +77,114 @@ impl World {
     ///
     /// `seed` decides where the flowers of a patch stand (see [`World::flowers`]).
     pub fn objects(&self, seed: u64) -> Vec<Object<'_>> {
-        let id = |kind, index: usize| ObjectId::new(kind, index as u32);
-        let surface = |friction, restitution| Surface {
-            friction,
-            restitution,
-        };
         let mut all = Vec::new();
-        all.extend(self.obstacles.iter().enumerate().map(|(index, o)| Object {
-            id: id(ObjectKind::Obstacle, index),
-            label: &o.label,
-            color: o.color,
-            texture: o.texture.as_ref(),
-            meta: &o.meta,
-            surface: surface(o.friction, o.restitution),
-            solids: o.solids(),
+        all.extend(self.obstacles.iter().enumerate().map(|(index, o)| {
+            let material = self.known_material(o.material.as_deref());
+            Object {
+                id: ObjectId::new(ObjectKind::Obstacle, index as u32),
+                label: &o.label,
+                color: Self::color(o.color, material, Obstacle::COLOR),
+                texture: o.texture.as_ref(),
+                meta: &o.meta,
+                surface: Self::surface(o.friction, o.restitution, material),
+                material,
+                solids: o.solids(),
+            }
         }));
-        all.extend(self.structures.iter().enumerate().map(|(index, s)| Object {
-            id: id(ObjectKind::Structure, index),
-            label: &s.label,
-            color: s.color,
-            texture: s.texture.as_ref(),
-            meta: &s.meta,
-            surface: surface(s.friction, s.restitution),
-            solids: s.solids(),
+        all.extend(self.structures.iter().enumerate().map(|(index, s)| {
+            let material = self.known_material(s.material.as_deref());
+            Object {
+                id: ObjectId::new(ObjectKind::Structure, index as u32),
+                label: &s.label,
+                color: Self::color(s.color, material, Structure::COLOR),
+                texture: s.texture.as_ref(),
+                meta: &s.meta,
+                surface: Self::surface(s.friction, s.restitution, material),
+                material,
+                solids: s.solids(),
+            }
         }));
         all.extend(self.flower_objects(seed));
-        all.extend(self.people.iter().enumerate().map(|(index, p)| Object {
-            id: id(ObjectKind::Person, index),
-            label: &p.label,
-            color: p.color,
-            texture: None,
-            meta: &p.meta,
-            surface: surface(p.friction, p.restitution),
-            solids: p.solids(),
+        all.extend(self.people.iter().enumerate().map(|(index, p)| {
+            let material = self.known_material(p.material.as_deref());
+            Object {
+                id: ObjectId::new(ObjectKind::Person, index as u32),
+                label: &p.label,
+                color: Self::color(p.color, material, Person::COLOR),
+                texture: None,
+                meta: &p.meta,
+                surface: Self::surface(p.friction, p.restitution, material),
+                material,
+                solids: p.solids(),
+            }
         }));
-        all.extend(self.terrain.iter().map(|t| Object {
-            id: id(ObjectKind::Terrain, 0),
-            label: &t.label,
-            color: t.color,
-            texture: t.texture.as_ref(),
-            meta: &t.meta,
-            surface: surface(t.friction, t.restitution),
-            solids: vec![t.solid()],
+        all.extend(self.terrain.iter().enumerate().map(|(index, t)| {
+            let material = self.known_material(t.material.as_deref());
+            Object {
+                id: ObjectId::new(ObjectKind::Terrain, index as u32),
+                label: &t.label,
+                color: Self::color(t.color, material, Terrain::COLOR),
+                texture: t.texture.as_ref(),
+                meta: &t.meta,
+                surface: Self::surface(t.friction, t.restitution, material),
+                material,
+                solids: vec![t.solid()],
+            }
         }));
         all
+    }
+
+    /// The colour of an object: its own, its material's, or that of its kind.
+    pub(crate) fn color(own: Option<Color>, material: Option<&Material>, usual: Color) -> Color {
+        own.or(material.and_then(|m| m.color)).unwrap_or(usual)
+    }
+
+    /// How an object feels: what it says itself, what its material says, or what is usual.
+    pub(crate) fn surface(
+        friction: Option<f64>,
+        restitution: Option<f64>,
+        material: Option<&Material>,
+    ) -> Surface {
+        let usual = Surface::USUAL;
+        let material = material.map(|m| (m.friction, m.restitution));
+        let (m_friction, m_restitution) = material.unwrap_or_default();
+        Surface {
+            friction: friction.or(m_friction).unwrap_or(usual.friction),
+            restitution: restitution.or(m_restitution).unwrap_or(usual.restitution),
+        }
+    }
+
+    /// The material of this name: one of this world, or one that is built in.
+    pub fn material(&self, name: &str) -> Option<&Material> {
+        let own = self.materials.iter().find(|m| m.name == name);
+        own.or_else(|| BUILT_IN.iter().find(|m| m.name == name))
+    }
+
+    pub(crate) fn known_material(&self, name: Option<&str>) -> Option<&Material> {
+        self.material(name?)
+    }
+
+    /// What an object (of a flower: its patch) is made of, if that is known.
+    pub fn material_of(&self, object: ObjectId) -> Option<&Material> {
+        let at = object.index as usize;
+        let name = match object.kind {
+            ObjectKind::Obstacle => self.obstacles.get(at)?.material.as_deref(),
+            ObjectKind::Structure => self.structures.get(at)?.material.as_deref(),
+            ObjectKind::Flower => self.patches.get(at)?.material.as_deref(),
+            ObjectKind::Person => self.people.get(at)?.material.as_deref(),
+            ObjectKind::Terrain => self.terrain.as_ref()?.material.as_deref(),
+        };
+        self.known_material(name)
+    }
+
+    /// The place of this name.
+    pub fn place(&self, name: &str) -> Option<&Place> {
+        self.places.iter().find(|place| place.name == name)
+    }
+
+    /// The area of this name where vehicles may start.
+    pub fn spawn(&self, name: &str) -> Option<&Spawn> {
+        self.spawns.iter().find(|spawn| spawn.name == name)
     }
 
     /// What an object is called (of a flower: its patch); empty if nothing, or if there is no such

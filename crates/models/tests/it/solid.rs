@@ -7,7 +7,7 @@ use simbeeotic_model::host::{Platform, Station};
 use simbeeotic_model::physics::{BodySpec, Material, Shape};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::units::{Attitude, Length, Offset, Pose, Position};
-use simbeeotic_model::world::{Door, Surface};
+use simbeeotic_model::world::{Door, Hull, Mesh, Surface, Wall};
 use simbeeotic_model::world::{
     HeightField, Meta, Obstacle, ObstaclePart, ObstacleShape, Patch, Person, PersonShape,
     Structure, StructureShape, Terrain, World,
@@ -156,17 +156,19 @@ fn every_shape_is_met_where_its_surface_is() {
         corner(-1.0, 1.0, 2.0),
         corner(1.0, 0.0, 0.0),
     ];
-    let hull = ObstacleShape::Hull {
-        points: tent.to_vec(),
-    };
+    let hull = ObstacleShape::Hull(Hull {
+        points: tent.into(),
+        ..Hull::default()
+    });
     assert_eq!(
         flight(obstacle(hull), [0.0, 0.0, 1.0]),
         met("obstacle.0 ", 3.0)
     );
-    let mesh = ObstacleShape::Mesh {
-        points: tent[..4].to_vec(),
-        triangles: vec![[0, 1, 2], [3, 2, 1]],
-    };
+    let mesh = ObstacleShape::Mesh(Mesh {
+        points: tent[..4].into(),
+        triangles: [[0, 1, 2], [3, 2, 1]].into(),
+        ..Mesh::default()
+    });
     assert_eq!(
         flight(obstacle(mesh), [0.0, 0.2, 1.0]),
         met("obstacle.0 ", 3.0)
@@ -204,17 +206,18 @@ fn a_door_is_open_and_the_wall_beside_it_is_not() {
     let wall = Structure {
         position: Position::from_xyz(4.0, -1.0, 0.0),
         // Turned to the north, it stands across the way.
-        shape: StructureShape::Wall {
+        shape: StructureShape::Wall(Wall {
             length: m(4.0),
             width: m(0.1),
             height: m(3.0),
             rotation: simbeeotic_model::units::Angle::from_turns(0.25),
-            door: Some(Door {
+            doors: vec![Door {
                 position: m(0.5),
                 width: m(1.0),
                 height: m(2.0),
-            }),
-        },
+            }],
+            ..Wall::default()
+        }),
         ..Structure::default()
     };
     let world = World {
@@ -276,6 +279,7 @@ fn people_flowers_and_hills_are_solid_too() {
         length: m(16.0),
         width: m(10.0),
         heights,
+        ..HeightField::default()
     });
     let world = World {
         terrain: Some(hill),
@@ -348,7 +352,7 @@ fn what_is_out_of_reach_does_not_show_in_the_trace() {
 #[test]
 fn a_surface_bounces_as_its_numbers_say() {
     let mut world = obstacle(ObstacleShape::default());
-    world.obstacles[0].restitution = 0.25;
+    world.obstacles[0].restitution = Some(0.25);
     assert_eq!(
         world.objects(1)[0].surface.friction,
         Surface::USUAL.friction

@@ -4,8 +4,8 @@ use crate::{TOML, WORLD, good, shown};
 use simbeeotic_scenario::{Loaded, Request, convert_world, load_file, load_text};
 use simbeeotic_units::{Angle, Length, Position};
 use simbeeotic_world::{
-    Color, Door, Obstacle, ObstacleShape, Person, PersonShape, Structure, StructureShape, Texture,
-    Trap, World,
+    Color, Door, Obstacle, ObstacleShape, Patch, Person, PersonShape, Slab, Structure,
+    StructureShape, Texture, Trap, Wall, World,
 };
 use std::fs;
 
@@ -62,7 +62,7 @@ fn every_element_of_the_original_is_read() {
             rotation: Angle::si(0.5)
         }
     );
-    assert_eq!(tower.color, Color::rgba(192, 65, 23, 64));
+    assert_eq!(tower.color, Some(Color::rgba(192, 65, 23, 64)));
     assert_eq!(tower.texture, Some(Texture::Builtin("brick_2".into())));
     assert_eq!(
         (tower.label.as_str(), tower.meta["foo"].as_str()),
@@ -92,32 +92,33 @@ fn every_element_of_the_original_is_read() {
     );
     assert_eq!(
         world.structures[0].shape,
-        StructureShape::Wall {
+        StructureShape::Wall(Wall {
             length: m(5.0),
             width: m(0.2),
             height: m(3.0),
             rotation: Angle::si(1.25),
-            door: Some(Door {
+            doors: vec![Door {
                 position: m(1.5),
                 width: m(0.9),
                 height: m(2.0)
-            }),
-        }
+            }],
+            windows: vec![],
+        })
     );
     assert_eq!(
         world.structures[2].shape,
-        StructureShape::Surface {
+        StructureShape::Surface(Slab {
             length: m(6.0),
             width: m(4.0),
             height: m(0.1),
             rotation: Angle::si(0.5),
-            trap: Some(Trap {
+            traps: vec![Trap {
                 x: m(1.0),
                 y: m(2.0),
                 length: m(3.0),
                 width: m(0.5)
-            }),
-        }
+            }],
+        })
     );
     assert_eq!(world.structures[3].meta["floor"], "2");
     assert_eq!(world.patches[0].center, at(3.0, -2.0, 0.0));
@@ -138,7 +139,7 @@ fn every_default_is_that_of_the_original() {
         read.obstacles[1],
         Obstacle {
             position: at(-5.0, 8.0, 0.0),
-            color: black,
+            color: Some(black),
             ..Obstacle::default()
         }
     );
@@ -150,7 +151,8 @@ fn every_default_is_that_of_the_original() {
             height: one
         }
     );
-    assert_eq!(read.obstacles[3].color, Color::rgb(140, 140, 140));
+    let color = read.objects(1)[3].color;
+    assert_eq!(color, Color::rgb(140, 140, 140));
     assert_eq!(
         read.obstacles[5].shape,
         ObstacleShape::Sphere { radius: one }
@@ -165,15 +167,17 @@ fn every_default_is_that_of_the_original() {
     assert_eq!(read.structures[1], Structure::default());
     assert_eq!(
         read.structures[4].shape,
-        StructureShape::Wall {
+        StructureShape::Wall(Wall {
             length: m(5.0),
             width: one,
             height: m(2.0),
             rotation: Angle::ZERO,
-            door: Some(Door::default()),
-        }
+            doors: vec![Door::default()],
+            windows: vec![],
+        })
     );
-    assert_eq!(read.patches[1].color, Color::rgb(255, 102, 151));
+    assert_eq!(read.patches[1].color, None);
+    assert_eq!(Patch::COLOR, Color::rgb(255, 102, 151));
     assert_eq!(read.people[1], Person::default());
     assert_eq!(
         read.people[1].shape,
@@ -311,7 +315,7 @@ fn shapes_of_points_parts_and_terrain_are_read() {
     let solids: Vec<usize> = world.objects(1).iter().map(|o| o.solids.len()).collect();
     assert_eq!(solids, [1, 1, 1, 2, 1]);
     let post = &world.obstacles[0];
-    assert_eq!((post.friction, post.restitution), (0.2, 0.7));
+    assert_eq!((post.friction, post.restitution), (Some(0.2), Some(0.7)));
     assert_eq!(world.ground.friction, Some(0.9));
     let printed = format!("world = \"w.toml\"\n{RUN}");
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,13 +1,13 @@
 //! What a world cannot be: sizes that are not above zero, doors wider than their wall.
 
+mod named;
+mod shape;
+
 use crate::flower::Patch;
-use crate::obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 use crate::person::{Person, PersonShape};
-use crate::structure::{Structure, StructureShape};
 use crate::surface::FRICTION_MAX;
-use crate::terrain::Terrain;
 use crate::world::World;
-use simbeeotic_units::{Length, Offset};
+use simbeeotic_units::Length;
 
 /// Something in a world that cannot be.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -17,6 +17,8 @@ pub struct WorldError {
     pub path: String,
     /// What is wrong.
     pub message: String,
+    /// What is allowed, or what was probably meant, if there is something to say.
+    pub help: Option<String>,
 }
 
 /// More single flowers than this are refused: they would not fit into memory as bodies.
@@ -33,13 +35,14 @@ impl World {
     /// axis. Whether the points of a hull or a mesh make a body, physics says.
     pub fn check(&self) -> Vec<WorldError> {
         let mut faults = Faults {
+            world: self,
             path: String::new(),
             found: Vec::new(),
         };
         faults.positive("radius", self.radius);
         faults.within("ground", |f| {
-            f.friction(self.ground.friction.unwrap_or(0.0));
-            f.restitution(self.ground.restitution.unwrap_or(0.0));
+            f.feel(self.ground.friction, self.ground.restitution);
+            f.texture(self.ground.texture.as_ref());
         });
         faults.within("flower", |f| {
             f.size("stem_height", self.flower.stem_height);
@@ -48,30 +51,56 @@ impl World {
             f.size("head_radius", self.flower.head_radius);
         });
         for (i, obstacle) in self.obstacles.iter().enumerate() {
-            faults.within(&format!("obstacle.{i}"), |f| f.obstacle(obstacle));
+            faults.within(&format!("obstacle.{i}"), |f| {
+                f.obstacle(obstacle);
+                f.made_of(obstacle.material.as_deref());
+            });
         }
         for (i, structure) in self.structures.iter().enumerate() {
-            faults.within(&format!("structure.{i}"), |f| f.structure(structure));
+            faults.within(&format!("structure.{i}"), |f| {
+                f.structure(structure);
+                f.made_of(structure.material.as_deref());
+            });
         }
         for (i, patch) in self.patches.iter().enumerate() {
-            faults.within(&format!("patch.{i}"), |f| f.patch(patch));
+            faults.within(&format!("patch.{i}"), |f| {
+                f.patch(patch);
+                f.made_of(patch.material.as_deref());
+            });
         }
         for (i, person) in self.people.iter().enumerate() {
-            faults.within(&format!("person.{i}"), |f| f.person(person));
+            faults.within(&format!("person.{i}"), |f| {
+                f.person(person);
+                f.made_of(person.material.as_deref());
+            });
         }
         if let Some(terrain) = &self.terrain {
-            faults.within("terrain", |f| f.terrain(terrain));
+            faults.within("terrain", |f| {
+                f.terrain(terrain);
+                f.made_of(terrain.material.as_deref());
+            });
         }
+        for (i, material) in self.materials.iter().enumerate() {
+            faults.within(&format!("material.{i}"), |f| f.material(material));
+        }
+        for (i, spawn) in self.spawns.iter().enumerate() {
+            faults.within(&format!("spawn.{i}"), |f| f.spawn(spawn));
+        }
+        for (i, place) in self.places.iter().enumerate() {
+            faults.within(&format!("place.{i}"), |f| f.named_place(place));
+        }
+        faults.names(self);
         faults.found
     }
 }
 
-struct Faults {
+struct Faults<'w> {
+    world: &'w World,
     path: String,
     found: Vec<WorldError>,
 }
 
-impl Faults {
+impl Faults<'_> {
     fn within(&mut self, key: &str, look: impl FnOnce(&mut Self)) {
         let outside = self.path.len();
         if !self.path.is_empty() {
@@ -85,7 +114,33 @@ impl Faults {
     fn fault(&mut self, key: &str, message: String) {
         let mut path = String::new();
         self.within(key, |f| path.clone_from(&f.path));
-        self.found.push(WorldError { path, message });
+        self.found.push(WorldError {
+            path,
+            message,
+            help: None,
+        });
+    }
+
+    /// A fault of what is looked at itself.
+    fn fault_here(&mut self, message: String) {
+        self.found.push(WorldError {
+            path: self.path.clone(),
+            message,
+            help: None,
+        });
+    }
+
+    fn fault_with_help(&mut self, key: &str, message: String, help: String) {
+        self.fault(key, message);
+        if let Some(last) = self.found.last_mut() {
+            last.help = Some(help);
+        }
+    }
+
+    fn above_zero(&mut self, key: &str, number: f64) {
+        if !(number > 0.0 && number.is_finite()) {
+            self.fault(key, format!("`{key}` must be more than 0, not {number}"));
+        }
     }
 
     fn positive(&mut self, key: &str, size: Length) {
@@ -124,6 +179,12 @@ impl Faults {
         }
     }
 
+    /// Friction and restitution, where they are said.
+    fn feel(&mut self, friction: Option<f64>, restitution: Option<f64>) {
+        self.friction(friction.unwrap_or(0.0));
+        self.restitution(restitution.unwrap_or(0.0));
+    }
+
     fn friction(&mut self, friction: f64) {
         if !(0.0..=FRICTION_MAX).contains(&friction) {
             let message =
@@ -150,190 +211,10 @@ impl Faults {
         }
     }
 
-    fn obstacle(&mut self, obstacle: &Obstacle) {
-        self.place("position", obstacle.position.si(), PLACE_M_MAX);
-        self.friction(obstacle.friction);
-        self.restitution(obstacle.restitution);
-        self.within("shape", |f| match &obstacle.shape {
-            ObstacleShape::Parts(parts) => f.parts(parts),
-            shape => f.shape(shape),
-        });
-    }
-
-    fn parts(&mut self, parts: &[ObstaclePart]) {
-        if parts.is_empty() {
-            self.fault("parts", "an obstacle of no parts is none".into());
-        }
-        for (i, part) in parts.iter().enumerate() {
-            self.within(&format!("parts.{i}"), |f| {
-                f.place("position", part.position.si(), SIZE_M_MAX);
-                f.within("shape", |f| f.shape(&part.shape));
-            });
-        }
-    }
-
-    /// A shape without parts.
-    fn shape(&mut self, shape: &ObstacleShape) {
-        match shape {
-            &ObstacleShape::Box {
-                length,
-                width,
-                height,
-                ..
-            } => self.within("box", |f| f.sizes(length, width, height)),
-            &ObstacleShape::Cylinder { diameter, height } => self.within("cylinder", |f| {
-                f.size("diameter", diameter);
-                f.size("height", height);
-            }),
-            &ObstacleShape::Sphere { radius } => {
-                self.within("sphere", |f| f.size("radius", radius));
-            }
-            &ObstacleShape::Cone { radius, height } => self.within("cone", |f| {
-                f.size("radius", radius);
-                f.size("height", height);
-            }),
-            &ObstacleShape::Capsule { radius, height } => self.within("capsule", |f| {
-                f.size("radius", radius);
-                f.size("height", height);
-                if height <= radius * 2.0 {
-                    let ends = radius * 2.0;
-                    let message = format!(
-                        "a capsule with ends of {radius} is higher than {ends}, not {height}: at {ends} it is a sphere"
-                    );
-                    f.fault("height", message);
-                }
-            }),
-            ObstacleShape::Hull { points } => self.within("hull", |f| {
-                f.points(points, 4, "a hull");
-            }),
-            ObstacleShape::Mesh { points, triangles } => self.within("mesh", |f| {
-                f.points(points, 3, "a mesh");
-                f.triangles(triangles, points.len());
-            }),
-            ObstacleShape::Parts(_) => {
-                self.fault("parts", "a part has no parts of its own".into());
-            }
-        }
-    }
-
-    fn points(&mut self, points: &[Offset], least: usize, what: &str) {
-        if points.len() < least {
-            let message = format!("{what} has {least} points or more, not {}", points.len());
-            self.fault("points", message);
-        }
-        self.within("points", |f| {
-            for (i, point) in points.iter().enumerate() {
-                f.place(&i.to_string(), point.si(), SIZE_M_MAX);
-            }
-        });
-    }
-
-    fn triangles(&mut self, triangles: &[[u32; 3]], points: usize) {
-        if triangles.is_empty() {
-            self.fault("triangles", "a mesh has one triangle or more".into());
-        }
-        self.within("triangles", |f| {
-            for (i, corners) in triangles.iter().enumerate() {
-                if let Some(corner) = corners.iter().find(|c| **c as usize >= points) {
-                    let message =
-                        format!("there is no point {corner}: there are {points}, counted from 0");
-                    f.fault(&i.to_string(), message);
-                } else if corners[0] == corners[1]
-                    || corners[1] == corners[2]
-                    || corners[2] == corners[0]
-                {
-                    f.fault(&i.to_string(), "a triangle has three corners".into());
-                }
-            }
-        });
-    }
-
-    fn terrain(&mut self, terrain: &Terrain) {
-        self.place("position", terrain.position.si(), PLACE_M_MAX);
-        self.friction(terrain.friction);
-        self.restitution(terrain.restitution);
-        let field = &terrain.height_field;
-        self.within("height_field", |f| {
-            f.size("length", field.length);
-            f.size("width", field.width);
-            if field.heights.len() < 2 {
-                let message = format!("a grid has two rows or more, not {}", field.heights.len());
-                f.fault("heights", message);
-            }
-            let columns = field.heights.first().map_or(0, Vec::len);
-            f.within("heights", |f| {
-                for (i, row) in field.heights.iter().enumerate() {
-                    f.row(&i.to_string(), row, columns);
-                }
-            });
-        });
-    }
-
-    fn row(&mut self, key: &str, row: &[Length], columns: usize) {
-        if row.len() < 2 {
-            let message = format!("a row of a grid has two heights or more, not {}", row.len());
-            self.fault(key, message);
-        } else if row.len() != columns {
-            let message = format!("this row has {} heights, the first {columns}", row.len());
-            self.fault(key, message);
-        }
-        self.within(key, |f| {
-            for (i, height) in row.iter().enumerate() {
-                f.place(&i.to_string(), glam::DVec3::splat(height.get()), SIZE_M_MAX);
-            }
-        });
-    }
-
-    fn structure(&mut self, structure: &Structure) {
-        self.place("position", structure.position.si(), PLACE_M_MAX);
-        self.friction(structure.friction);
-        self.restitution(structure.restitution);
-        self.within("shape", |f| match structure.shape {
-            StructureShape::Wall {
-                length,
-                width,
-                height,
-                door,
-                ..
-            } => f.within("wall", |f| {
-                f.sizes(length, width, height);
-                let Some(door) = door else { return };
-                f.within("door", |f| {
-                    f.at_least_zero("position", door.position);
-                    f.positive("width", door.width);
-                    f.positive("height", door.height);
-                    f.fits("width", "door", door.position, door.width, length);
-                    f.fits("height", "door", Length::ZERO, door.height, height);
-                });
-            }),
-            StructureShape::Surface {
-                length,
-                width,
-                height,
-                trap,
-                ..
-            } => {
-                f.within("surface", |f| {
-                    f.sizes(length, width, height);
-                    let Some(trap) = trap else { return };
-                    f.within("trap", |f| {
-                        f.at_least_zero("x", trap.x);
-                        f.at_least_zero("y", trap.y);
-                        f.positive("length", trap.length);
-                        f.positive("width", trap.width);
-                        f.fits("length", "trap", trap.x, trap.length, length);
-                        f.fits("width", "trap", trap.y, trap.width, width);
-                    });
-                });
-            }
-        });
-    }
-
     fn patch(&mut self, patch: &Patch) {
         self.place("center", patch.center.si(), PLACE_M_MAX);
         self.size("radius", patch.radius);
-        self.friction(patch.friction);
-        self.restitution(patch.restitution);
+        self.feel(patch.friction, patch.restitution);
         if !(patch.flowers_per_m2 >= 0.0 && patch.flowers_per_m2.is_finite()) {
             let density = patch.flowers_per_m2;
             self.fault(
@@ -349,8 +230,7 @@ impl Faults {
 
     fn person(&mut self, person: &Person) {
         self.place("position", person.position.si(), PLACE_M_MAX);
-        self.friction(person.friction);
-        self.restitution(person.restitution);
+        self.feel(person.friction, person.restitution);
         let PersonShape::Man { width, height } = person.shape;
         self.within("shape.man", |f| {
             f.size("width", width);
@@ -368,8 +248,10 @@ impl Faults {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::structure::{Door, Trap};
-    use simbeeotic_units::Angle;
+    use crate::obstacle::{Obstacle, ObstaclePart, ObstacleShape};
+    use crate::structure::{Door, Slab, Structure, StructureShape, Trap, Wall, Window};
+    use crate::terrain::Terrain;
+    use simbeeotic_units::Offset;
 
     fn m(metres: f64) -> Length {
         Length::si(metres)
@@ -388,32 +270,46 @@ mod tests {
             ],
             structures: vec![
                 Structure {
-                    shape: StructureShape::Wall {
+                    shape: StructureShape::Wall(Wall {
                         length: m(2.0),
                         width: m(0.1),
                         height: m(2.0),
-                        rotation: Angle::ZERO,
-                        door: Some(Door {
+                        doors: vec![Door {
                             position: m(1.5),
                             width: m(1.0),
                             height: m(3.0),
-                        }),
-                    },
+                        }],
+                        windows: vec![
+                            Window {
+                                position: m(0.5),
+                                sill: m(1.5),
+                                width: m(0.5),
+                                height: m(1.0),
+                            },
+                            Window {
+                                position: m(0.5),
+                                sill: m(1.0),
+                                width: m(0.5),
+                                height: m(0.6),
+                            },
+                        ],
+                        ..Wall::default()
+                    }),
                     ..Structure::default()
                 },
                 Structure {
-                    shape: StructureShape::Surface {
+                    shape: StructureShape::Surface(Slab {
                         length: m(0.3),
                         width: m(2.0),
                         height: m(2.0),
-                        rotation: Angle::ZERO,
-                        trap: Some(Trap {
+                        traps: vec![Trap {
                             x: m(0.1),
                             y: m(-1.0),
                             length: m(0.2),
                             width: m(1.0),
-                        }),
-                    },
+                        }],
+                        ..Slab::default()
+                    }),
                     ..Structure::default()
                 },
             ],
@@ -442,9 +338,11 @@ mod tests {
             [
                 "radius",
                 "obstacle.1.shape.sphere.radius",
-                "structure.0.shape.wall.door.width",
-                "structure.0.shape.wall.door.height",
-                "structure.1.shape.surface.trap.y",
+                "structure.0.shape.wall.doors.0.width",
+                "structure.0.shape.wall.doors.0.height",
+                "structure.0.shape.wall.windows.0.height",
+                "structure.0.shape.wall.windows.1",
+                "structure.1.shape.surface.traps.0.y",
                 "patch.0.flowers_per_m2",
                 "patch.1.flowers_per_m2",
                 "person.0.shape.man.width",
@@ -476,13 +374,15 @@ mod tests {
                     radius: m(1.0),
                     height: m(2.0),
                 }),
-                obstacle(ObstacleShape::Hull {
-                    points: vec![corner(0.0), corner(1.0), corner(1e6)],
-                }),
-                obstacle(ObstacleShape::Mesh {
-                    points: vec![corner(0.0), corner(1.0), corner(2.0)],
-                    triangles: vec![[0, 1, 2], [0, 1, 3], [0, 1, 1]],
-                }),
+                obstacle(ObstacleShape::Hull(crate::Hull {
+                    points: [corner(0.0), corner(1.0), corner(1e6)].into(),
+                    ..crate::Hull::default()
+                })),
+                obstacle(ObstacleShape::Mesh(crate::Mesh {
+                    points: [corner(0.0), corner(1.0), corner(2.0)].into(),
+                    triangles: [[0, 1, 2], [0, 1, 3], [0, 1, 1]].into(),
+                    ..crate::Mesh::default()
+                })),
                 obstacle(ObstacleShape::Parts(Vec::new())),
                 obstacle(ObstacleShape::Parts(vec![
                     part(ObstacleShape::Sphere { radius: m(0.0) }),
@@ -512,8 +412,9 @@ mod tests {
             length: m(10.0),
             width: m(0.0),
             heights: vec![vec![m(0.0); 3], vec![m(0.0), m(1e9)], vec![m(0.0)]],
+            ..crate::HeightField::default()
         });
-        terrain.friction = -1.0;
+        terrain.friction = Some(-1.0);
         let world = World {
             ground: crate::Ground {
                 restitution: Some(1.5),
@@ -521,7 +422,7 @@ mod tests {
             },
             obstacles: vec![Obstacle {
                 position: simbeeotic_units::Position::from_xyz(0.0, 0.0, 1e8),
-                friction: f64::NAN,
+                friction: Some(f64::NAN),
                 ..Obstacle::default()
             }],
             terrain: Some(terrain),
