@@ -6,7 +6,8 @@ use simbeeotic_model::host::{Platform, Ray, Station};
 use simbeeotic_model::physics::{BodySpec, Contacts, Kind, Mobility, Shape, group};
 use simbeeotic_model::units::{Attitude, Length, Pose, Position, Time};
 use simbeeotic_model::world::{
-    HeightField, Obstacle, Patch, Person, PersonShape, Structure, StructureShape, Terrain, World,
+    HeightField, Obstacle, Patch, Person, PersonShape, Slab, Structure, StructureShape, Terrain,
+    World,
 };
 use simbeeotic_model::{
     Behavior, BuildError, Kit, ModelPlan, SeesWhat, Simulation, Thing, behavior, params,
@@ -52,6 +53,7 @@ fn world() -> World {
             length: metre,
             width: metre,
             heights: vec![vec![metre; 2]; 2],
+            ..HeightField::default()
         })
     };
     World {
@@ -62,13 +64,7 @@ fn world() -> World {
         }],
         structures: vec![Structure {
             position: at(Kind::Structure) - Position::from_xyz(0.5, 0.5, 0.0),
-            shape: StructureShape::Surface {
-                length: metre,
-                width: metre,
-                height: metre,
-                trap: None,
-                rotation: Default::default(),
-            },
+            shape: StructureShape::Surface(Slab::default()),
             ..Structure::default()
         }],
         patches: vec![Patch {
