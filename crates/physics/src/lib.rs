@@ -62,7 +62,8 @@
 //! 4. `grid`, `lists`: who might meet whom; `tree`, `statics`, `walls`: what stands in the way;
 //!    `encounters`: the few pairs that must be remembered;
 //! 5. `island`, `islands`, `stepping`: lasting contact;
-//! 6. `queue`, `foresee`, `events`, `physics`: all bodies, through time; `queries`: rays and neighbours.
+//! 6. `queue`, `foresee`, `events`, `physics`: all bodies, through time; `queries`: rays and neighbours, `fan`:
+//!    many rays at once.
 
 mod approach;
 mod body;
@@ -71,6 +72,7 @@ mod contact;
 mod encounters;
 mod error;
 mod events;
+mod fan;
 mod foresee;
 mod grid;
 mod island;
@@ -97,6 +99,7 @@ mod walls;
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
 pub use contact::Contact;
 pub use error::{BodyError, ThreadsError};
+pub use fan::Fan;
 pub use kind::{Kind, Kinds};
 pub use motion::{Motion, State};
 pub use physics::{Config, ContactModel, Physics, Tally};

@@ -22,7 +22,7 @@ use simbeeotic_kernel::SimTime;
 use simbeeotic_units::Pose;
 
 /// More than rounding does to a bounding ball, relative.
-const BALL: f64 = 1.0 + 1e-6;
+pub(crate) const BALL: f64 = 1.0 + 1e-6;
 
 /// A straight line of sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,14 +64,14 @@ impl Sees {
 }
 
 /// A checked ray.
-struct Line {
-    from: DVec3,
-    direction: DVec3,
-    range: f64,
+pub(crate) struct Line {
+    pub(crate) from: DVec3,
+    pub(crate) direction: DVec3,
+    pub(crate) range: f64,
 }
 
 impl Line {
-    fn new(from: DVec3, direction: DVec3, range: f64) -> Result<Self, BodyError> {
+    pub(crate) fn new(from: DVec3, direction: DVec3, range: f64) -> Result<Self, BodyError> {
         error::bounded("origin [m]", from, limits::POSITION_M_MAX)?;
         error::finite("direction", direction)?;
         let greatest = direction.abs().max_element();
@@ -116,11 +116,11 @@ struct Passing {
 
 /// The nearest so far: distance, body or [`GROUND`], normal.
 #[derive(Clone, Copy)]
-struct Nearest {
-    distance: f64,
-    id: u32,
-    normal: DVec3,
-    point: DVec3,
+pub(crate) struct Nearest {
+    pub(crate) distance: f64,
+    pub(crate) id: u32,
+    pub(crate) normal: DVec3,
+    pub(crate) point: DVec3,
 }
 
 impl Nearest {
@@ -133,16 +133,21 @@ impl Nearest {
         }
     }
 
-    /// Of two at the same distance the lower id counts; the ground comes after all bodies.
-    fn offer(&mut self, other: Self) {
+    /// Of two at the same distance the lower id counts; the ground comes after all bodies. Tells whether it
+    /// is the nearest now.
+    #[inline]
+    pub(crate) fn offer(&mut self, other: Self) -> bool {
         let nearer = other.distance < self.distance;
         let tie = other.distance == self.distance;
-        if nearer || tie && (self.id == NOBODY || other.id < self.id) {
+        let counts = nearer || tie && (self.id == NOBODY || other.id < self.id);
+        if counts {
             *self = other;
         }
+        counts
     }
 
-    fn hit(self) -> Option<Hit> {
+    #[inline]
+    pub(crate) fn hit(self) -> Option<Hit> {
         (self.id != NOBODY).then_some(Hit {
             body: (self.id != GROUND).then_some(BodyId(self.id)),
             distance_m: self.distance,
@@ -217,31 +222,6 @@ impl Physics {
     pub fn cast_ray(&self, ray: &Ray, t: SimTime, sees: &Sees) -> Result<Option<Hit>, BodyError> {
         let line = Line::new(ray.origin_enu, ray.direction_enu, ray.range_m)?;
         Ok(self.first_seen(&self.sight(t), &line, t, sees))
-    }
-
-    /// [`cast_ray`](Self::cast_ray) for many rays of one instant: appends what each meets, in their order.
-    ///
-    /// # Errors
-    /// As [`cast_ray`](Self::cast_ray), of any ray; then nothing is appended.
-    pub fn cast_rays(
-        &self,
-        rays: &[Ray],
-        t: SimTime,
-        sees: &Sees,
-        hits: &mut Vec<Option<Hit>>,
-    ) -> Result<(), BodyError> {
-        let (first, sight) = (hits.len(), self.sight(t));
-        hits.reserve(rays.len());
-        for ray in rays {
-            match Line::new(ray.origin_enu, ray.direction_enu, ray.range_m) {
-                Ok(line) => hits.push(self.first_seen(&sight, &line, t, sees)),
-                Err(error) => {
-                    hits.truncate(first);
-                    return Err(error);
-                }
-            }
-        }
-        Ok(())
     }
 
     /// What `shape` meets first at `t` if it moves from `at` along `direction_enu` for `range_m`, without
@@ -338,11 +318,13 @@ impl Physics {
     }
 
     #[inline]
-    fn visible(&self, id: u32, sees: &Sees) -> bool {
+    pub(crate) fn visible(&self, id: u32, sees: &Sees) -> bool {
         sees.kinds.contains(self.kinds[id as usize]) && sees.but != Some(BodyId(id))
     }
 
-    fn first_seen(&self, sight: &Sight<'_>, line: &Line, t: SimTime, sees: &Sees) -> Option<Hit> {
+    /// The ground, if the line meets it and somebody looks for it; nothing within its range, if not.
+    #[inline]
+    pub(crate) fn ground_seen(&self, line: &Line, sees: &Sees) -> Nearest {
         let mut nearest = Nearest::none(line.range);
         if sees.ground() && self.ground.is_some() && line.from.z > 0.0 && line.direction.z < 0.0 {
             let distance = line.from.z / -line.direction.z;
@@ -356,6 +338,17 @@ impl Physics {
                 });
             }
         }
+        nearest
+    }
+
+    pub(crate) fn first_seen(
+        &self,
+        sight: &Sight<'_>,
+        line: &Line,
+        t: SimTime,
+        sees: &Sees,
+    ) -> Option<Hit> {
+        let mut nearest = self.ground_seen(line, sees);
         let way = Way::new(line.from, line.direction, DVec3::ZERO);
         sight.along(&way, nearest.distance, |id, _| {
             if let Some((distance, normal)) = self.seen(id, line, nearest.distance, t, sees) {

@@ -8,7 +8,7 @@
 //! their own. None of this shows in what a query finds.
 
 use crate::physics::Physics;
-use crate::tree::{Bounds, Tree, Way};
+use crate::tree::{Beam, Bounds, Tree, Way};
 use simbeeotic_kernel::SimTime;
 use std::sync::atomic::Ordering;
 
@@ -75,6 +75,19 @@ impl Sight<'_> {
             for id in 0..physics.motions.len() as u32 {
                 range = visit(id, range);
             }
+        }
+    }
+
+    /// Calls `visit` for each body that a ray of the beam may meet within `range`, some several times, and
+    /// tells how far away it begins at least.
+    pub(crate) fn across(&self, beam: &Beam, range: f64, mut visit: impl FnMut(u32, f64)) {
+        let physics = self.physics;
+        if let Some(tree) = self.tree {
+            physics.statics.across(beam, range, &mut visit);
+            physics.loose().for_each(|id| visit(id, 0.0));
+            tree.across(beam, range, visit);
+        } else {
+            (0..physics.motions.len() as u32).for_each(|id| visit(id, 0.0));
         }
     }
 

@@ -1,7 +1,7 @@
 //! Bodies that stay where they are: one tree over all of them, built when the last was added.
 
 use crate::limits;
-use crate::tree::{Bounds, Tree, Way};
+use crate::tree::{Beam, Bounds, Tree, Way};
 
 /// What reaches farther than any bounded body can has no bounds, m.
 const ENDLESS_M: f64 = 2.0 * (limits::POSITION_M_MAX + limits::EXTENT_M_MAX);
@@ -48,6 +48,12 @@ impl Statics {
             range = visit(id, range);
         }
         self.tree.along(way, range, visit)
+    }
+
+    /// Calls `visit` for each fixed body whose bounds a ray of the beam may meet, as [`Tree::across`].
+    pub(crate) fn across(&self, beam: &Beam, range: f64, mut visit: impl FnMut(u32, f64)) {
+        self.endless.iter().for_each(|id| visit(*id, 0.0));
+        self.tree.across(beam, range, visit);
     }
 
     /// Calls `visit` for each fixed body whose bounds overlap `bounds`.

@@ -98,6 +98,100 @@ impl Way {
     }
 }
 
+/// A bundle of rays from one point: all directions between two corners.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beam {
+    from: [f64; 3],
+    axes: [Spread; 3],
+}
+
+/// How the rays of a bundle go along one axis, as inverses of what they go at least and at most, and
+/// which sides of a box they meet first and last.
+#[derive(Clone, Copy, Debug)]
+struct Spread {
+    inverse: [f64; 2],
+    /// Which side each of the two inverses counts for when a ray enters.
+    enters: [usize; 2],
+    /// Which side they leave by; `None` if some ray does not go along this axis.
+    leaves: Option<usize>,
+}
+
+impl Spread {
+    fn new(least: f64, most: f64) -> Self {
+        // Finite, so that zero times it is a number.
+        let inverse = |d: f64| (1.0 / d).clamp(-1e200, 1e200);
+        if least > 0.0 {
+            Self {
+                inverse: [inverse(least), inverse(most)],
+                enters: [0, 0],
+                leaves: Some(1),
+            }
+        } else if most < 0.0 {
+            Self {
+                inverse: [inverse(least), inverse(most)],
+                enters: [1, 1],
+                leaves: Some(0),
+            }
+        } else {
+            // A box on either side begins where the fastest ray on that side comes to it.
+            Self {
+                inverse: [
+                    inverse(if least < 0.0 { least } else { -0.0 }),
+                    inverse(if most > 0.0 { most } else { 0.0 }),
+                ],
+                enters: [1, 0],
+                leaves: None,
+            }
+        }
+    }
+}
+
+impl Beam {
+    /// The bundle from `from` along all of `directions`, and all between.
+    pub(crate) fn new(from: DVec3, directions: &[DVec3]) -> Self {
+        let start = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let [least, most] = directions
+            .iter()
+            .fold(start, |[low, high], d| [low.min(*d), high.max(*d)]);
+        let (least, most) = (least.to_array(), most.to_array());
+        Self {
+            from: from.to_array(),
+            axes: [0, 1, 2].map(|k| Spread::new(least[k], most[k])),
+        }
+    }
+
+    /// How far along it the four boxes begin at least and end at most.
+    #[inline]
+    fn passes(&self, boxes: &Boxes, range: f64) -> ([f64; 4], [f64; 4]) {
+        let (mut begin, mut end) = ([0.0; 4], [range; 4]);
+        for k in 0..3 {
+            let Spread {
+                inverse: [one, two],
+                enters,
+                leaves,
+            } = self.axes[k];
+            let from = self.from[k];
+            let (first, second) = (&boxes[k][enters[0]], &boxes[k][enters[1]]);
+            let straddles = leaves.is_none();
+            for i in 0..4 {
+                let (a, b) = ((first[i] - from) * one, (second[i] - from) * two);
+                // Where all go one way, the earliest of them counts; where they part, only one comes.
+                let enters = if (a < b) == straddles { b } else { a };
+                begin[i] = if enters > begin[i] { enters } else { begin[i] };
+            }
+            if let Some(side) = leaves {
+                let last = &boxes[k][side];
+                for i in 0..4 {
+                    let (a, b) = ((last[i] - from) * one, (last[i] - from) * two);
+                    let leaves = if a > b { a } else { b };
+                    end[i] = if leaves < end[i] { leaves } else { end[i] };
+                }
+            }
+        }
+        (begin, end)
+    }
+}
+
 /// More than what rounding does to any of a search's terms.
 fn padded([low, high]: Bounds) -> Bounds {
     let pad = 1e-6 + 1e-14 * low.abs().max(high.abs()).max_element();
@@ -263,6 +357,32 @@ impl Tree {
             }
         }
         range
+    }
+}
+
+impl Tree {
+    /// Calls `visit` for each item whose box some ray of the beam may meet within `range`, with the
+    /// distance at which the box begins at least.
+    pub(crate) fn across(&self, beam: &Beam, range: f64, mut visit: impl FnMut(u32, f64)) {
+        let mut waiting = [0; WAITING];
+        let mut count = usize::from(!self.nodes.is_empty());
+        while count > 0 {
+            count -= 1;
+            let node = &self.nodes[waiting[count] as usize];
+            let (begin, end) = beam.passes(&node.boxes, range);
+            for i in 0..4 {
+                let child = node.children[i];
+                if begin[i] > end[i] || child == NOTHING {
+                    continue;
+                }
+                if child & ITEM == 0 {
+                    waiting[count] = child;
+                    count += 1;
+                } else {
+                    visit(child & !ITEM, begin[i]);
+                }
+            }
+        }
     }
 }
 

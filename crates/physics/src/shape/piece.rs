@@ -192,14 +192,53 @@ impl Piece {
         from: DVec3,
         direction: DVec3,
     ) -> Option<(f64, DVec3)> {
+        let ray = self.ray_from(at, from);
+        let (distance, normal) = ray.cast(direction)?;
+        Some((distance, ray.world(normal)))
+    }
+
+    /// Rays that begin at `from`, made ready once for many directions.
+    #[inline]
+    pub(crate) fn ray_from(&self, at: Place, from: DVec3) -> LocalRay<'_> {
         let stands = self.stands(Place {
             p: DVec3::ZERO,
             q: at.q,
         });
-        let back = stands.q.conjugate();
-        let origin = back * ((from - at.p) - stands.p);
-        let hit = self.core.cast_ray(self.margin, origin, back * direction)?;
-        Some((hit.0, stands.q * hit.1))
+        LocalRay {
+            piece: self,
+            turn: stands.q,
+            origin: stands.q.conjugate() * ((from - at.p) - stands.p),
+        }
+    }
+}
+
+/// Rays from one point, in the frame of one piece.
+#[derive(Clone, Copy)]
+pub(crate) struct LocalRay<'a> {
+    piece: &'a Piece,
+    /// From the piece's axes to the world's.
+    turn: DQuat,
+    origin: DVec3,
+}
+
+impl LocalRay<'_> {
+    /// Where a ray of unit direction, ENU, first meets the piece: distance, and outward normal in its
+    /// frame.
+    #[inline]
+    pub(crate) fn cast(&self, direction: DVec3) -> Option<(f64, DVec3)> {
+        let Self {
+            piece,
+            turn,
+            origin,
+        } = *self;
+        let direction = turn.conjugate() * direction;
+        piece.core.cast_ray(piece.margin, origin, direction)
+    }
+
+    /// A direction of the piece's frame in the world, ENU.
+    #[inline]
+    pub(crate) fn world(&self, normal: DVec3) -> DVec3 {
+        self.turn * normal
     }
 }
 

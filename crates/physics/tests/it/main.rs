@@ -4,6 +4,7 @@ mod bounce;
 mod closed_forms;
 mod determinism;
 mod differential;
+mod fans;
 mod flight;
 mod impact;
 mod invariance;
