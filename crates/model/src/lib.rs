@@ -56,7 +56,7 @@ pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
 pub use reading::{Column, Reading};
-pub use registry::{FromParams, Radio};
+pub use registry::{FromParams, Radio, Site};
 pub use sampling::{Sample, SamplePhase, Sampling};
 pub use sees::SeesWhat;
 pub use sensor::{Handle, Sensor, Taken};

@@ -22,6 +22,7 @@ use simbeeotic_radio::{Antenna, Propagation, RadioSpec};
 use simbeeotic_units::Mount;
 use simbeeotic_world::Weather;
 use std::any::TypeId;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 /// What a part is used as.
@@ -106,6 +107,40 @@ inventory::collect!(Part);
 /// Checks a section and returns what makes instances; or all faults of the section.
 pub type Maker<T> = fn(&Node) -> Result<T, Vec<Fault>>;
 
+/// The same for a part that is made anew for each run, and knows where.
+pub type SiteMaker<T> = fn(&Node, &Site<'_>) -> Result<T, Vec<Fault>>;
+
+/// Where a part of a run is made: whose seed its chance hangs on, and where its files are.
+#[derive(Clone, Copy, Debug)]
+pub struct Site<'a> {
+    /// The master seed of the run.
+    pub seed: u64,
+    /// The folder that file names of the scenario are relative to; empty: that which the program runs
+    /// in.
+    pub folder: &'a Path,
+}
+
+impl Default for Site<'_> {
+    fn default() -> Self {
+        Self {
+            seed: 0,
+            folder: Path::new(""),
+        }
+    }
+}
+
+impl Site<'_> {
+    /// The stream of the part called `path` for one purpose.
+    pub fn stream(&self, path: &str, purpose: &str) -> Stream {
+        Stream::new(self.seed, path, purpose)
+    }
+
+    /// The path of a file that the scenario names.
+    pub fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+}
+
 /// How a part is made, by kind. The section has the part's own keys only.
 #[derive(Clone, Copy)]
 #[non_exhaustive]
@@ -123,7 +158,7 @@ pub enum Make {
     /// A propagation model.
     Propagation(Maker<Arc<dyn Propagation>>),
     /// Weather.
-    Weather(Maker<Arc<dyn Weather>>),
+    Weather(SiteMaker<Arc<dyn Weather>>),
     /// A component.
     Component(Maker<Box<dyn Component>>),
 }
@@ -184,6 +219,15 @@ pub trait FromParams: Sized + Send + 'static {
     /// # Errors
     /// Parameters out of range, by [`BuildError::parameter`].
     fn from_params(params: Self::Params) -> Result<Self, BuildError>;
+
+    /// Makes one for a run: for weather that draws chance or reads files. Unless it says otherwise, as
+    /// [`from_params`](Self::from_params) does.
+    ///
+    /// # Errors
+    /// The same; a file that cannot be read.
+    fn for_run(params: Self::Params, _site: &Site<'_>) -> Result<Self, BuildError> {
+        Self::from_params(params)
+    }
 }
 
 /// A kind of radio: a datasheet as a function from settings to a [`RadioSpec`]. Register it with
@@ -244,7 +288,8 @@ impl Part {
 
     /// Weather. Called by `#[weather]`.
     pub const fn weather<W: FromParams + Weather>(label: Label) -> Self {
-        let make: Maker<Arc<dyn Weather>> = |node| Ok(Arc::new(make_plain::<W>(node)?));
+        let make: SiteMaker<Arc<dyn Weather>> =
+            |node, site| Ok(Arc::new(make_for_run::<W>(node, site)?));
         Self::new::<W::Params>(label, Kind::Weather, Make::Weather(make))
     }
 
@@ -306,6 +351,11 @@ fn place(node: &Node, error: BuildError) -> Fault {
 fn make_plain<T: FromParams>(node: &Node) -> Result<T, Vec<Fault>> {
     let recipe = Recipe::<T::Params>::read(node)?;
     T::from_params(recipe.params.clone()).map_err(|e| vec![recipe.place(e)])
+}
+
+fn make_for_run<T: FromParams>(node: &Node, site: &Site<'_>) -> Result<T, Vec<Fault>> {
+    let recipe = Recipe::<T::Params>::read(node)?;
+    T::for_run(recipe.params.clone(), site).map_err(|e| vec![recipe.place(e)])
 }
 
 fn make_radio<R: Radio>(node: &Node) -> Result<RadioSpec, Vec<Fault>> {

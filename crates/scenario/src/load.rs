@@ -5,7 +5,7 @@ use crate::print::to_toml;
 use crate::xml::{self, Document};
 use simbeeotic_model::component::Component;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
-use simbeeotic_model::registry::Make;
+use simbeeotic_model::registry::{Make, Site};
 use simbeeotic_model::world::{Calm, Weather};
 use simbeeotic_model::{Origin, Setup};
 use std::path::{Path, PathBuf};
@@ -256,8 +256,12 @@ impl Loaded {
                 None
             }
         };
+        let site = Site {
+            seed: run.seed,
+            folder: &plan.folder,
+        };
         let weather = plan.weather.as_ref().map(|choice| match choice.part.make {
-            Make::Weather(make) => make(&choice.params),
+            Make::Weather(make) => make(&choice.params, &site),
             _ => Ok(Arc::new(Calm) as Arc<dyn Weather>),
         });
         let weather = match weather.transpose() {

@@ -59,6 +59,8 @@ pub struct Plan {
     pub models: Vec<Group>,
     /// Who watches.
     pub components: Vec<Choice>,
+    /// The folder that file names are relative to.
+    pub folder: PathBuf,
 }
 
 /// A part that was chosen, and its parameters as they were written.
@@ -105,7 +107,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         .and_then(|node| shared::channel(node, &mut cx.faults));
     let weather = section
         .get("weather")
-        .and_then(|node| shared::weather(node, &mut cx.faults));
+        .and_then(|node| shared::weather(node, cx));
     let world = shared::world(section.get("world"), cx);
     let ground = world.as_ref().map(|w| w.ground.clone()).unwrap_or_default();
     let physics = physics::physics(section.get("physics"), &ground, &mut cx.faults);
@@ -142,6 +144,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         physics,
         models,
         components,
+        folder: cx.folder.clone(),
     })
 }
 

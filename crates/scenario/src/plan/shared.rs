@@ -5,7 +5,7 @@ use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
 use simbeeotic_model::radio::{Medium, Propagation, SimpleConfig, SimpleMedium};
-use simbeeotic_model::registry::{Kind, Make, find};
+use simbeeotic_model::registry::{Kind, Make, Site, find};
 use simbeeotic_units::{Decibels, Length, PowerLevel};
 use simbeeotic_world::World;
 use std::sync::Arc;
@@ -109,12 +109,20 @@ fn made(make: Make, rest: &Node, faults: &mut Vec<Fault>) -> Option<Arc<dyn Prop
     make(rest).map_err(|found| faults.extend(found)).ok()
 }
 
-pub(super) fn weather(node: &Node, faults: &mut Vec<Fault>) -> Option<Choice> {
+pub(super) fn weather(node: &Node, cx: &mut Context<'_>) -> Option<Choice> {
+    let faults = &mut cx.faults;
     let mut section = Section::open_part(node, "`[weather]`", ("weather", Kind::Weather), faults)?;
     let part = part(&mut section, Kind::Weather, faults)?;
     let params = section.rest(part, faults);
     if let Make::Weather(make) = part.make {
-        make(&params).map_err(|found| faults.extend(found)).ok()?;
+        // Whether it can be made does not hang on chance.
+        let site = Site {
+            seed: 0,
+            folder: &cx.folder,
+        };
+        make(&params, &site)
+            .map_err(|found| faults.extend(found))
+            .ok()?;
     }
     Some(Choice { part, params })
 }
