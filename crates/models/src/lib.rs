@@ -8,7 +8,7 @@
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |
 //! | propagation | [`propagation::free_space`] |
-//! | weather | [`weather::constant`] |
+//! | weather | [`weather::constant`], [`weather::atmosphere`] |
 //!
 //! A new part is one file in the folder of its kind and one `mod` line. Nothing here has a right
 //! that a user's own crate has not: each part is written against `simbeeotic-model` alone and

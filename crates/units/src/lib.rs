@@ -52,8 +52,8 @@ pub mod text;
 /// The linear algebra below the typed vectors, at the version this crate uses.
 pub use glam;
 pub use quantity::{
-    Acceleration, Angle, AngularRate, Area, Charge, Concentration, Current, DataRate, Decibels,
-    Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity,
+    Acceleration, Angle, AngularRate, Area, Charge, Circulation, Concentration, Current, DataRate,
+    Decibels, Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity,
     MagneticField, Mass, MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate,
     Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
 };

@@ -1,4 +1,4 @@
-//! Light, rain, and what is mixed into the air.
+//! Light, rain, vortices, and what is mixed into the air.
 
 use super::define::{linear_quantity, quantity};
 use super::{Length, Scale};
@@ -49,6 +49,14 @@ linear_quantity! {
         "mg/s": Scale::over(1e6) => from_milligrams_per_second, milligrams_per_second;
         "ug/s": Scale::over(1e9);
         "g/h": Scale::over(3.6e6);
+    }
+}
+
+linear_quantity! {
+    /// The circulation of a vortex, or a diffusivity, inside in square metres per second.
+    Circulation = "a circulation" {
+        "m^2/s": Scale::ONE => from_square_metres_per_second, square_metres_per_second;
+        "cm^2/s": Scale::over(1e4);
     }
 }
 

@@ -42,7 +42,7 @@ pub(crate) mod serial;
 mod signal;
 
 pub use air::{Density, Pressure, Temperature};
-pub use ambient::{Concentration, Illuminance, LuminousIntensity, MassRate, RainRate};
+pub use ambient::{Circulation, Concentration, Illuminance, LuminousIntensity, MassRate, RainRate};
 pub use decibels::{Decibels, PowerLevel};
 pub use electricity::{Charge, Current, Energy, Power, Voltage};
 pub use kind::{Quantity, Scale, Unit, VectorQuantity};

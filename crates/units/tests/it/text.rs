@@ -73,7 +73,7 @@ macro_rules! each_quantity {
 
 each_quantity! {
     Acceleration Angle AngularRate Area Charge Current DataRate Decibels Density Energy Force
-    Concentration Illuminance LuminousIntensity MassRate RainRate
+    Circulation Concentration Illuminance LuminousIntensity MassRate RainRate
     Frequency Impulse Length Mass Power PowerLevel Pressure Speed Temperature Time Torque Voltage
 }
 
