@@ -19,6 +19,7 @@
 // The attribute macros say `::simbeeotic_model`, in this crate too.
 extern crate self as simbeeotic_model;
 
+mod around;
 pub mod behavior;
 pub mod check;
 pub mod component;
@@ -47,6 +48,7 @@ pub mod vehicle;
 pub mod view;
 mod watch;
 
+pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
 pub use energy::{Accounts, Consumer};

@@ -8,7 +8,7 @@
 )]
 mod swarm;
 
-pub(crate) use swarm::{bee, mounted, run, setup, vehicle, with_sensor_of};
+pub(crate) use swarm::{bee, model, mounted, run, setup, vehicle, with_sensor_of};
 
 use simbeeotic_model::config::to_node;
 use simbeeotic_model::registry::{self, Kind, Label, Make, Part, SensorKit};

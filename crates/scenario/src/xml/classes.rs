@@ -422,7 +422,12 @@ pub(super) const CLASSES: &[Class] = &[
     ),
     class("model.sensor.FlowerSensor", Kind::Sensor, "flower", &[CONE]),
     class("model.sensor.PersonSensor", Kind::Sensor, "person", &[CONE]),
-    class("model.sensor.WallSensor", Kind::Sensor, "wall", &[CONE]),
+    class(
+        "model.sensor.WallSensor",
+        Kind::Sensor,
+        "wall",
+        &[&[set("max-range", "max_range", "m")]],
+    ),
     later("model.sensor.DefaultCameraSensor", Kind::Sensor, "camera"),
     later(
         "model.sensor.DefaultLaserRangeSensor",
