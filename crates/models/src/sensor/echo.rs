@@ -289,16 +289,27 @@ impl Echoes {
     }
 }
 
-/// A direction about `x`, unit: the `at`-th of a spiral, at which `share` of the solid angle of a cone of
-/// half width `half` (rad) is within it.
-pub(super) fn spiral(half: f64, at: usize, share: f64) -> DVec3 {
-    let golden = PI * (3.0 - 5.0_f64.sqrt());
+/// A direction about `x`, unit: at `share` of the solid angle of a cone of half width `half`, in the
+/// direction `phi` from its axis; angles in rad.
+pub(super) fn cone(half: f64, share: f64, phi: f64) -> DVec3 {
     // 1 - cos h without loss for small angles.
     let sine = math::sin(0.5 * half);
     let cos = 1.0 - 2.0 * sine * sine * share;
     let across = ((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt();
-    let (sin_phi, cos_phi) = math::sin_cos(golden * at as f64);
+    let (sin_phi, cos_phi) = math::sin_cos(phi);
     DVec3::new(cos, across * cos_phi, across * sin_phi)
+}
+
+/// The `at`-th direction of a spiral: each a golden angle on from the last.
+fn spiral(half: f64, at: usize, share: f64) -> DVec3 {
+    let golden = PI * (3.0 - 5.0_f64.sqrt());
+    cone(half, share, golden * at as f64)
+}
+
+/// The middles of `rays` equal parts of the solid angle of a cone about `x`.
+pub(super) fn parts(half: f64, rays: u32) -> impl Iterator<Item = DVec3> {
+    let each = f64::from(rays);
+    (0..rays).map(move |at| spiral(half, at as usize, (f64::from(at) + 0.5) / each))
 }
 
 #[cfg(test)]

@@ -83,21 +83,20 @@ mod tests {
     use crate::trial::{Trial, assert_normal, refusal};
     use simbeeotic_model::Handle;
     use simbeeotic_model::units::{Angle, Attitude, Position, Time, Velocity, Yaw, math};
-    use simbeeotic_model::world::{Obstacle, ObstacleShape, Structure, StructureShape};
+    use simbeeotic_model::world::{Obstacle, ObstacleShape, Structure, StructureShape, Wall};
 
-    type Wall = Handle<Option<Length>>;
+    type Range = Handle<Option<Length>>;
 
     /// Across the way at `x`, 20 m high.
     fn wall(x: f64) -> Structure {
         Structure {
             position: Position::from_xyz(x, -5.0, 0.0),
-            shape: StructureShape::Wall {
+            shape: StructureShape::Wall(Wall {
                 length: Length::si(0.2),
                 width: Length::si(10.0),
                 height: Length::si(20.0),
-                rotation: Angle::ZERO,
-                door: None,
-            },
+                ..Wall::default()
+            }),
             ..Structure::default()
         }
     }
@@ -128,7 +127,7 @@ mod tests {
         ] {
             let mut trial = Trial::of("wall", &[("max_range", max_range)]);
             trial.world.structures = vec![wall(x)];
-            trial.run(move |bee, sensor: Wall| {
+            trial.run(move |bee, sensor: Range| {
                 for yaw in [0.0, 10.0, -10.0] {
                     bee.set_attitude(head(yaw));
                     let slanted = x / math::cos(yaw.to_radians());
@@ -147,12 +146,12 @@ mod tests {
     fn nothing_but_a_wall_is_one_and_what_is_nearer_hides_it() {
         let mut trial = Trial::of("wall", &[("max_range", "5 m")]);
         trial.world.obstacles = vec![pillar(1.0)];
-        trial.run(|bee, sensor: Wall| assert_eq!(bee.read(sensor), None));
+        trial.run(|bee, sensor: Range| assert_eq!(bee.read(sensor), None));
         for (x, seen) in [(2.0, true), (0.5, false)] {
             let mut trial = Trial::of("wall", &[("max_range", "5 m")]);
             trial.world.structures = vec![wall(1.5)];
             trial.world.obstacles = vec![pillar(x)];
-            trial.run(move |bee, sensor: Wall| assert_eq!(bee.read(sensor).is_some(), seen));
+            trial.run(move |bee, sensor: Range| assert_eq!(bee.read(sensor).is_some(), seen));
         }
     }
 
@@ -161,7 +160,7 @@ mod tests {
         let mut trial = Trial::of("wall", &[("max_range", "2 m")]);
         trial.world.structures = vec![wall(6.0)];
         (trial.every, trial.seconds) = (Time::from_millis(73.0), 4);
-        trial.run(|bee, sensor: Wall| {
+        trial.run(|bee, sensor: Range| {
             bee.set_velocity(Velocity::from_xyz(1.7, 0.0, 0.0));
             let gap = 6.0 - bee.position().si().x;
             let read = bee.read(sensor).map(Length::get);
@@ -174,13 +173,13 @@ mod tests {
     fn its_error_is_what_it_says() {
         let mut trial = Trial::of("wall", &[("max_range", "3 m"), ("sigma", "2 cm")]);
         trial.world.structures = vec![wall(1.5)];
-        trial.run(|bee, sensor: Wall| {
+        trial.run(|bee, sensor: Range| {
             let read = |_| bee.read(sensor).expect("it is there").get();
             assert_normal(&(0..100_000).map(read).collect::<Vec<_>>(), 1.5, 0.02);
         });
         let mut trial = Trial::of("wall", &[("lost", "0.3")]);
         trial.world.structures = vec![wall(0.7)];
-        trial.run(|bee, sensor: Wall| {
+        trial.run(|bee, sensor: Range| {
             let seen = (0..100_000).filter(|_| bee.read(sensor).is_some()).count() as f64;
             assert!((seen - 7e4).abs() < 4.0 * (1e5_f64 * 0.21).sqrt(), "{seen}");
         });
