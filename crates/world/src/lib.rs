@@ -27,16 +27,22 @@
 //! [`structure`], [`flower`], [`person`], [`terrain`] (what stands in it), [`mesh`] (shapes of points),
 //! [`surface`] and [`material`] (how it feels, what it is made of), [`spawn`] (where to start, places
 //! with a name), [`solid`] (the primitives), [`within`] (what is near), [`check`] (what cannot be),
-//! [`spelling`] (what files may say in two ways), [`weather`] (the air).
+//! [`spelling`] (what files may say in two ways), [`weather`] (the air), [`light`], [`plume`] and [`puff`] (lamps and gases), [`field`] (what there is of
+//! them at a place).
 
 pub mod check;
 mod cut;
+pub mod field;
 pub mod flower;
+pub mod gas;
+pub mod light;
 pub mod look;
 pub mod material;
 pub mod mesh;
 pub mod obstacle;
 pub mod person;
+pub mod plume;
+pub mod puff;
 pub mod solid;
 pub mod spawn;
 pub mod spelling;
@@ -48,12 +54,17 @@ pub mod within;
 pub mod world;
 
 pub use check::WorldError;
+pub use field::{GasField, LightField, ScalarField};
 pub use flower::{Flower, FlowerShape, Patch};
+pub use gas::Gases;
+pub use light::{Beam, Light};
 pub use look::{Color, ColorError, Meta, Texture};
 pub use material::{Dielectric, LossRow, Material};
 pub use mesh::{Hull, Mesh, UpAxis};
 pub use obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 pub use person::{Person, PersonShape};
+pub use plume::{Source, Stability};
+pub use puff::Puffs;
 pub use solid::{Object, ObjectId, ObjectKind, Solid, SolidShape};
 pub use spawn::{Place, Spawn, SpawnPose, SpawnShape};
 pub use structure::{Door, Slab, Structure, StructureShape, Trap, Wall, Window};

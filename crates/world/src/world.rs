@@ -1,10 +1,12 @@
 //! The world as a whole.
 
 use crate::flower::{FlowerShape, Patch};
+use crate::light::Light;
 use crate::look::{Color, Meta, Texture};
 use crate::material::{BUILT_IN, Material};
 use crate::obstacle::Obstacle;
 use crate::person::Person;
+use crate::plume::Source;
 use crate::solid::{Object, ObjectId, ObjectKind};
 use crate::spawn::{Place, Spawn};
 use crate::structure::Structure;
@@ -41,6 +43,12 @@ pub struct World {
     /// People.
     #[serde(rename = "person")]
     pub people: Vec<Person>,
+    /// Lamps.
+    #[serde(rename = "light", skip_serializing_if = "Vec::is_empty")]
+    pub lights: Vec<Light>,
+    /// Sources of smell or gas.
+    #[serde(rename = "source", skip_serializing_if = "Vec::is_empty")]
+    pub sources: Vec<Source>,
     /// What things are made of, besides what is built in.
     #[serde(rename = "material", skip_serializing_if = "Vec::is_empty")]
     pub materials: Vec<Material>,
@@ -64,6 +72,8 @@ impl Default for World {
             structures: Vec::new(),
             patches: Vec::new(),
             people: Vec::new(),
+            lights: Vec::new(),
+            sources: Vec::new(),
             materials: Vec::new(),
             spawns: Vec::new(),
             places: Vec::new(),

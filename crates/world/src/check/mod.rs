@@ -74,6 +74,20 @@ impl World {
                 f.made_of(person.material.as_deref());
             });
         }
+        for (i, light) in self.lights.iter().enumerate() {
+            faults.within(&format!("light.{i}"), |f| {
+                f.place("position", light.position.si(), PLACE_M_MAX);
+                f.size("radius", light.radius);
+                f.all(light.faults());
+            });
+        }
+        for (i, source) in self.sources.iter().enumerate() {
+            faults.within(&format!("source.{i}"), |f| {
+                f.place("position", source.position.si(), PLACE_M_MAX);
+                f.size("radius", source.radius);
+                f.all(source.faults());
+            });
+        }
         if let Some(terrain) = &self.terrain {
             faults.within("terrain", |f| {
                 f.terrain(terrain);
@@ -140,6 +154,12 @@ impl Faults<'_> {
     fn above_zero(&mut self, key: &str, number: f64) {
         if !(number > 0.0 && number.is_finite()) {
             self.fault(key, format!("`{key}` must be more than 0, not {number}"));
+        }
+    }
+
+    fn all(&mut self, faults: Vec<(&'static str, String)>) {
+        for (key, message) in faults {
+            self.fault(key, message);
         }
     }
 
