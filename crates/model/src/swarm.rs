@@ -23,7 +23,7 @@ use simbeeotic_kernel::{
 use simbeeotic_physics::{BodyId, Contact, Motion, Physics};
 use simbeeotic_radio::{Command, Medium, Poses, RadioId, RadioState, Request, Scratch};
 use simbeeotic_units::{Acceleration, Attitude, Length, Pose, Position, Rate, Twist, Velocity};
-use simbeeotic_world::{Weather, World};
+use simbeeotic_world::{Gases, Weather, World};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -169,6 +169,8 @@ pub struct Swarm {
     pub(crate) gravity: Acceleration,
     pub(crate) medium: Option<Box<dyn Medium>>,
     pub(crate) weather: Arc<dyn Weather>,
+    /// The world's gases in this weather.
+    pub(crate) gases: Gases,
     pub(crate) world: Arc<World>,
     pub(crate) population: Population,
     /// Identity of each model in traces and draws.

@@ -10,7 +10,7 @@ use simbeeotic_physics::{BodyError, Motion};
 use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Rate, Twist, Velocity, glam,
 };
-use simbeeotic_world::World;
+use simbeeotic_world::{GasField, World};
 
 /// The truth about a platform and its surroundings, from which a sensor makes a reading.
 pub struct Truth<'a> {
@@ -114,6 +114,16 @@ impl Truth<'_> {
     /// The air and its weather.
     pub fn weather(&self) -> &dyn simbeeotic_world::Weather {
         &*self.swarm.weather
+    }
+
+    /// A gas of the world, carried by the weather; empty if nothing gives it off.
+    pub fn gas<'a>(&'a self, name: &'a str) -> GasField<'a> {
+        self.swarm.gases.field(name)
+    }
+
+    /// The names of the world's gases.
+    pub fn gases(&self) -> Vec<&str> {
+        self.swarm.gases.names()
     }
 
     /// The pose of another model's body, as the instant began.

@@ -14,7 +14,7 @@ use simbeeotic_kernel::{Limits, ModelId, Timers};
 use simbeeotic_physics::{BodyError, Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
 use simbeeotic_units::Pose;
-use simbeeotic_world::{ObjectId, Weather, World};
+use simbeeotic_world::{Gases, ObjectId, Weather, World};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -168,6 +168,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         gravity: setup.physics.gravity,
         medium,
         weather: Arc::clone(&setup.weather),
+        gases: Gases::new(&setup.world, Arc::clone(&setup.weather)),
         world: Arc::clone(&setup.world),
         population,
         keys,
