@@ -26,6 +26,7 @@
 //! from the command line), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
 //! to text), [`schema`] (for editors), [`limit`] (how large an input may be).
 
+mod files;
 pub mod limit;
 pub mod load;
 pub mod plan;

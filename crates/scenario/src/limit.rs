@@ -27,3 +27,6 @@ pub const MOUNT_M_MAX: f64 = 1e3;
 
 /// Most faults that are shown; the rest is counted.
 pub const FAULTS_SHOWN: usize = 60;
+
+/// Largest file that a world may name, in bytes.
+pub const FILE_BYTES_MAX: u64 = 1 << 28;

@@ -120,7 +120,8 @@ pub fn convert_world(path: &Path) -> Result<Converted, Rejected> {
     } = Reading::default();
     let text = read_text(path, None, &mut sources, &mut faults);
     let node = text.and_then(|(source, text)| crate::world::tree(&text, source, &mut faults));
-    let node = node.filter(|node| crate::world::check(node, &mut faults).is_some());
+    let node =
+        node.filter(|node| crate::world::check(node, &folder_of(path), &mut faults).is_some());
     match node {
         Some(node) => Ok(Converted {
             toml: to_toml(&node),

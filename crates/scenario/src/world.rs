@@ -1,11 +1,13 @@
 //! World files, TOML or the original's XML, to a checked [`World`].
 
+use crate::plan::folder_of;
 use crate::xml::{self, Document};
 use serde::de::DeserializeOwned;
-use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span, Value, read_params};
+use simbeeotic_model::config::{Fault, Level, Node, SourceId, Sources, Span, Value, read_params};
 use simbeeotic_model::objects;
 use simbeeotic_world::{
     Material, Obstacle, ObstacleShape, Patch, Person, Place, Solid, Spawn, Structure, World,
+    WorldError,
 };
 use std::path::Path;
 
@@ -18,7 +20,7 @@ pub(crate) fn load(
 ) -> Option<World> {
     let (source, text) = crate::load::read_text(path, asked, sources, faults)?;
     let node = tree(&text, source, faults)?;
-    check(&node, faults)
+    check(&node, &folder_of(path), faults)
 }
 
 /// The tree of a world file, in the shape of its TOML.
@@ -44,30 +46,38 @@ pub(crate) fn tree(text: &str, source: SourceId, faults: &mut Vec<Fault>) -> Opt
     }
 }
 
-/// The world in a tree, if everything in it can be.
-pub(crate) fn check(node: &Node, faults: &mut Vec<Fault>) -> Option<World> {
-    let world: World = match read_params(node) {
+/// The world in a tree, if everything in it can be. Files that it names are looked for in `folder`.
+pub(crate) fn check(node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Option<World> {
+    let mut world: World = match read_params(node) {
         Ok(world) => world,
         Err(_) => {
             faults.extend(all_faults(node));
             return None;
         }
     };
-    let errors = world.check();
+    let files = crate::files::fill(&mut world, folder);
+    let errors = files.errors.into_iter().chain(world.check());
+    let errors: Vec<Fault> = errors.map(|e| fault(node, Level::Error, e)).collect();
     let sound = errors.is_empty();
-    faults.extend(errors.into_iter().map(|e| {
-        let fault = Fault::error(place(node, &e.path), e.message);
-        match e.help {
-            Some(help) => fault.help(help),
-            None => fault,
-        }
-    }));
+    faults.extend(errors);
+    let warnings = files.warnings.into_iter();
+    faults.extend(warnings.map(|e| fault(node, Level::Warning, e)));
     if !sound {
         return None;
     }
     let before = faults.len();
     faults.extend(not_solid(&world, node));
     (faults.len() == before).then_some(world)
+}
+
+/// What is wrong with a world, at its place in the file.
+fn fault(node: &Node, level: Level, error: WorldError) -> Fault {
+    Fault {
+        level,
+        span: Some(place(node, &error.path)),
+        message: error.message,
+        help: error.help,
+    }
 }
 
 /// What physics refuses of shapes that are made of points: a hull without volume, a mesh without

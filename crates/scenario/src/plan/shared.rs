@@ -188,7 +188,10 @@ pub(super) fn world(node: Option<&Node>, cx: &mut Context<'_>) -> Option<World> 
             let path = cx.folder.join(name);
             crate::world::load(&path, Some(*span), cx.sources, &mut cx.faults)
         }
-        Some(node) if node.as_table().is_some() => crate::world::check(node, &mut cx.faults),
+        Some(node) if node.as_table().is_some() => {
+            let folder = cx.folder.clone();
+            crate::world::check(node, &folder, &mut cx.faults)
+        }
         Some(node) => {
             let message = format!("{} where a world is wanted", node.value.kind());
             let help = "the name of a world file, or a table [world]";
