@@ -23,7 +23,7 @@
 //! ```
 //!
 //! Reading order: [`load`] (the whole way), [`mod@toml`] and [`xml`] (text to tree), [`set`] (changes
-//! from the command line), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
+//! from the command line), [`variables`] (placeholders), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
 //! to text), [`schema`] (for editors), [`limit`] (how large an input may be).
 
 mod files;
@@ -35,11 +35,13 @@ pub mod render;
 pub mod schema;
 pub mod set;
 pub mod toml;
+pub mod variables;
 mod world;
 pub mod xml;
 
 pub use load::{
-    Converted, Loaded, Rejected, Request, convert_file, convert_world, load_file, load_text,
+    Checked, Converted, Loaded, Rejected, Request, check_file, convert_file, convert_world,
+    load_file, load_text,
 };
 pub use plan::Plan;
 

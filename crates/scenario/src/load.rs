@@ -2,12 +2,14 @@
 
 use crate::plan::{self, Context, Plan, folder_of, group};
 use crate::print::to_toml;
+use crate::variables::Variables;
 use crate::xml::{self, Document};
 use simbeeotic_model::component::Component;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
 use simbeeotic_model::registry::{Make, Site};
 use simbeeotic_model::world::{Calm, Weather};
 use simbeeotic_model::{Origin, Setup};
+use simbeeotic_world::World;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -27,6 +29,7 @@ pub struct Loaded {
     tree: Node,
     faults: Vec<Fault>,
     sources: Sources,
+    variables: Variables,
 }
 
 /// A scenario that cannot run, and why.
@@ -47,6 +50,54 @@ pub struct Converted {
     pub faults: Vec<Fault>,
     /// The texts that the faults point into.
     pub sources: Sources,
+    /// The variables of a scenario, for its world. Of a world: none.
+    pub variables: Variables,
+}
+
+/// What was found in a file: a scenario or a world.
+pub enum Checked {
+    /// A scenario that can run.
+    Scenario(Box<Loaded>),
+    /// A world alone.
+    World {
+        /// What it is called: its file.
+        name: String,
+        /// The world.
+        world: Box<World>,
+        /// Warnings and notes.
+        faults: Vec<Fault>,
+        /// The texts that the faults point into.
+        sources: Sources,
+    },
+}
+
+/// Reads and checks a scenario file, or a world file given alone.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn check_file(path: &Path, request: &Request) -> Result<Checked, Rejected> {
+    let mut reading = Reading::default();
+    let text = read_text(path, None, &mut reading.sources, &mut reading.faults);
+    let Some((source, text)) = text else {
+        return Err(reading.reject());
+    };
+    let is_world = match xml::looks_like_xml(&text) {
+        true => xml::root_name(&text, source).as_deref() == Some("world"),
+        false => crate::toml::parse(&text, source).is_ok_and(|tree| crate::world::is_world(&tree)),
+    };
+    match is_world {
+        true => reading.world(path, &text, source, request),
+        false => reading
+            .load(&text, source, folder_of(path), request)
+            .map(|loaded| Checked::Scenario(Box::new(loaded))),
+    }
+}
+
+/// The error that a world stands where a scenario is wanted.
+pub(crate) fn world_where_scenario(span: Span) -> Fault {
+    Fault::error(span, "this is a world, and a scenario is wanted").help(
+        "a scenario names it, `world = \"FILE\"`, or `--world FILE` does; `simbeeotic check` takes it alone",
+    )
 }
 
 /// Reads and checks a scenario file: TOML, or the original's XML.
@@ -100,26 +151,30 @@ pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Reje
         tree,
         faults,
         sources,
+        variables,
         ..
     } = loaded;
     Ok(Converted {
         toml: to_toml(&tree),
         faults,
         sources,
+        variables,
     })
 }
 
-/// Reads and checks a world file and gives it as TOML.
+/// Reads and checks a world file and gives it as TOML, with the values of `variables` in the place of
+/// placeholders.
 ///
 /// # Errors
 /// Everything that is wrong with it.
-pub fn convert_world(path: &Path) -> Result<Converted, Rejected> {
+pub fn convert_world(path: &Path, variables: &Variables) -> Result<Converted, Rejected> {
     let Reading {
         mut sources,
         mut faults,
     } = Reading::default();
     let text = read_text(path, None, &mut sources, &mut faults);
-    let node = text.and_then(|(source, text)| crate::world::tree(&text, source, &mut faults));
+    let node =
+        text.and_then(|(source, text)| crate::world::tree(&text, source, variables, &mut faults));
     let node =
         node.filter(|node| crate::world::check(node, &folder_of(path), &mut faults).is_some());
     match node {
@@ -127,6 +182,7 @@ pub fn convert_world(path: &Path) -> Result<Converted, Rejected> {
             toml: to_toml(&node),
             faults,
             sources,
+            variables: Variables::default(),
         }),
         None => Err(Rejected { faults, sources }),
     }
@@ -150,8 +206,9 @@ impl Reading {
             self.faults.push(fault);
             return Err(self.reject());
         }
+        let mut variables = Variables::default();
         let read = if xml::looks_like_xml(text) {
-            xml::parse(text, source, Document::Scenario)
+            xml::parse(text, source, Document::Scenario, &mut variables)
         } else {
             crate::toml::parse(text, source).map(|node| (node, Vec::new()))
         };
@@ -170,11 +227,23 @@ impl Reading {
                 self.faults.extend(faults);
             }
         }
+        if crate::world::is_world(&tree) {
+            let first = tree.as_table().and_then(|table| table.entries.first());
+            let span = first.map_or(tree.span, |(key, _)| key.span);
+            self.faults.push(world_where_scenario(span));
+            return Err(self.reject());
+        }
+        if !xml::looks_like_xml(text) {
+            variables = Variables::of(&tree, &mut self.faults);
+            variables.apply(&mut tree, &mut self.faults);
+        }
         let mut cx = Context {
             faults: std::mem::take(&mut self.faults),
             sources: &mut self.sources,
             folder,
             world: request.world.clone(),
+            areas: Vec::new(),
+            variables: variables.clone(),
         };
         let plan = plan::plan(&tree, &mut cx);
         self.faults = cx.faults;
@@ -189,8 +258,46 @@ impl Reading {
                     tree,
                     faults,
                     sources,
+                    variables,
                 })
             }
+            _ => Err(self.reject()),
+        }
+    }
+
+    /// A world alone. `--set variables.NAME=VALUE` says what its placeholders stand for; other settings
+    /// change it.
+    fn world(
+        mut self,
+        path: &Path,
+        text: &str,
+        source: SourceId,
+        request: &Request,
+    ) -> Result<Checked, Rejected> {
+        let mut settings = Node::table(Span::default());
+        for argument in &request.sets {
+            if let Err(faults) = crate::set::apply(&mut settings, argument, &mut self.sources) {
+                self.faults.extend(faults);
+            }
+        }
+        let others = settings.as_table().into_iter().flat_map(|t| &t.entries);
+        for (key, _) in others.filter(|(key, _)| key.text != crate::variables::KEY) {
+            let fault = Fault::error(key.span, "this file is a world, not a scenario");
+            let help = "of a world alone only its variables are set: --set variables.NAME=VALUE";
+            self.faults.push(fault.help(help));
+        }
+        let given = Variables::of(&settings, &mut self.faults);
+        let node = crate::world::tree(text, source, &given, &mut self.faults);
+        let folder = folder_of(path);
+        let world = node.and_then(|node| crate::world::check(&node, &folder, &mut self.faults));
+        self.faults.sort_by_key(|f| f.span);
+        match world {
+            Some(world) if !self.faults.iter().any(Fault::is_error) => Ok(Checked::World {
+                name: self.sources.get(source).map_or("", |s| &s.name).to_owned(),
+                world: Box::new(world),
+                faults: self.faults,
+                sources: self.sources,
+            }),
             _ => Err(self.reject()),
         }
     }

@@ -27,6 +27,11 @@ pub fn schema() -> Value {
         "channel": channel(&mut all),
         "weather": one_of(&mut all, Kind::Weather, &Map::new(), "The wind, and the air."),
         "world": world(&mut all),
+        "variables": {
+            "type": "object",
+            "description": "What placeholders `${name}` stand for, here and in the world.",
+            "additionalProperties": { "type": ["string", "number", "boolean"] },
+        },
         "physics": physics(&mut all),
         "record": record(&mut all),
         "model": { "type": "array", "description": "The models.", "items": { "$ref": "#/$defs/model" } },
@@ -426,6 +431,7 @@ fn start(all: &mut Definitions) -> Value {
             ]),
             form("Each at its own point.", "list", vec![("list", json!({ "type": "array", "items": point }))]),
             form("Each at its own line of a file: x, y, z in metres.", "file", vec![("file", json!({ "type": "string" }))]),
+            form("In an area of the world, a `[[spawn]]` of this name.", "area", vec![("area", json!({ "type": "string" }))]),
         ],
     })
 }

@@ -1,6 +1,7 @@
 //! World files, TOML or the original's XML, to a checked [`World`].
 
 use crate::plan::folder_of;
+use crate::variables::Variables;
 use crate::xml::{self, Document};
 use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Level, Node, SourceId, Sources, Span, Value, read_params};
@@ -15,24 +16,34 @@ use std::path::Path;
 pub(crate) fn load(
     path: &Path,
     asked: Option<Span>,
+    given: &Variables,
     sources: &mut Sources,
     faults: &mut Vec<Fault>,
 ) -> Option<World> {
     let (source, text) = crate::load::read_text(path, asked, sources, faults)?;
-    let node = tree(&text, source, faults)?;
+    let node = tree(&text, source, given, faults)?;
     check(&node, &folder_of(path), faults)
 }
 
-/// The tree of a world file, in the shape of its TOML.
-pub(crate) fn tree(text: &str, source: SourceId, faults: &mut Vec<Fault>) -> Option<Node> {
+/// The tree of a world file, in the shape of its TOML, its placeholders replaced.
+pub(crate) fn tree(
+    text: &str,
+    source: SourceId,
+    given: &Variables,
+    faults: &mut Vec<Fault>,
+) -> Option<Node> {
     if let Some(fault) = crate::load::empty(text, source) {
         faults.push(fault);
         return None;
     }
     let read = if xml::looks_like_xml(text) {
-        xml::parse(text, source, Document::World)
+        xml::parse(text, source, Document::World, &mut given.clone())
     } else {
-        crate::toml::parse(text, source).map(|node| (node, Vec::new()))
+        crate::toml::parse(text, source).map(|mut node| {
+            let mut found = Vec::new();
+            given.apply(&mut node, &mut found);
+            (node, found)
+        })
     };
     match read {
         Ok((node, warnings)) => {
@@ -44,6 +55,17 @@ pub(crate) fn tree(text: &str, source: SourceId, faults: &mut Vec<Fault>) -> Opt
             None
         }
     }
+}
+
+/// Whether a tree is that of a world, not of a scenario: it has keys of a world, and neither a run nor
+/// a model.
+pub(crate) fn is_world(root: &Node) -> bool {
+    let schema = schemars::schema_for!(World);
+    let known = schema.get("properties").and_then(|p| p.as_object());
+    let has = |key: &str| known.is_some_and(|known| known.contains_key(key));
+    root.as_table().is_some_and(|table| {
+        table.keys().any(has) && ["run", "model"].iter().all(|key| table.get(key).is_none())
+    })
 }
 
 /// The world in a tree, if everything in it can be. Files that it names are looked for in `folder`.

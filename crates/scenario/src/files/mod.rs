@@ -140,7 +140,9 @@ impl Files<'_> {
         if !(mesh.points.is_empty() && mesh.triangles.is_empty()) {
             let message = "a mesh has a file, or points and triangles of its own, not both";
             self.fault(format!("{path}.points"), message.into());
-        } else if let Some((read, up)) = self.read_mesh(path, &name) {
+        } else if is_scale(mesh.scale)
+            && let Some((read, up)) = self.read_mesh(path, &name)
+        {
             mesh.points = points(&read, mesh.scale, mesh.up.unwrap_or(up));
             mesh.triangles = read.triangles.as_slice().into();
             mesh.file = None;
@@ -156,7 +158,9 @@ impl Files<'_> {
         if !hull.points.is_empty() {
             let message = "a hull has a file, or points of its own, not both";
             self.fault(format!("{path}.points"), message.into());
-        } else if let Some((read, up)) = self.read_mesh(path, &name) {
+        } else if is_scale(hull.scale)
+            && let Some((read, up)) = self.read_mesh(path, &name)
+        {
             hull.points = points(&read, hull.scale, hull.up.unwrap_or(up));
             hull.file = None;
             (hull.scale, hull.up) = (1.0, None);
@@ -261,6 +265,11 @@ impl Files<'_> {
             });
         }
     }
+}
+
+/// Whether a scale is one. Of one that is not the world's own check tells.
+fn is_scale(scale: f64) -> bool {
+    scale > 0.0 && scale.is_finite()
 }
 
 fn points(read: &Triangles, scale: f64, up: UpAxis) -> Arc<[Offset]> {

@@ -5,6 +5,7 @@
 //! [channel]    use, medium, noise_floor, range_limit, the propagation's own parameters
 //! [weather]    use, its own parameters
 //! world        = "file", or [world] with the world itself
+//! [variables]  what placeholders `${name}` stand for, here and in the world
 //! [physics]    gravity, ground, how faithfully contacts are simulated
 //! [record]     the recorder's parameters
 //! [[model]]    use, name, count, start, params, vehicle, sensor, radio, model (nested)
@@ -31,11 +32,12 @@ pub use physics::PhysicsParams;
 pub use run::{Pace, Run};
 pub use shared::{Channel, MediumKind};
 
+use crate::variables::Variables;
 use section::Section;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
 use simbeeotic_model::physics::Config;
 use simbeeotic_model::registry::{Part, find};
-use simbeeotic_world::World;
+use simbeeotic_world::{Spawn, World};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -80,6 +82,10 @@ pub(crate) struct Context<'a> {
     pub(crate) folder: PathBuf,
     /// A world file that replaces the scenario's.
     pub(crate) world: Option<PathBuf>,
+    /// The world's areas to start in, once it is read.
+    pub(crate) areas: Vec<Spawn>,
+    /// What placeholders of the world stand for.
+    pub(crate) variables: Variables,
 }
 
 impl Context<'_> {
@@ -109,6 +115,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         .get("weather")
         .and_then(|node| shared::weather(node, cx));
     let world = shared::world(section.get("world"), cx);
+    cx.areas = world.as_ref().map(|w| w.spawns.clone()).unwrap_or_default();
     let ground = world.as_ref().map(|w| w.ground.clone()).unwrap_or_default();
     let physics = physics::physics(section.get("physics"), &ground, &mut cx.faults);
     let components = shared::components(&mut section, &mut cx.faults);
@@ -121,6 +128,8 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
             cx.faults.push(Fault::warning(key.span, message));
         }
     }
+    // Its values stand in the tree already.
+    section.get(crate::variables::KEY);
     section.finish(&mut cx.faults);
     let models = match models {
         Some(models) => models,
@@ -205,6 +214,8 @@ pub(super) mod testing {
             sources: &mut sources,
             folder: PathBuf::new(),
             world: None,
+            areas: Vec::new(),
+            variables: Variables::default(),
         };
         let value = read(&root, &mut cx);
         match value {

@@ -177,7 +177,7 @@ fn component(choice: Choice, faults: &mut Vec<Fault>) -> Option<Choice> {
 /// The world: a file or a table; the file of the command line before either.
 pub(super) fn world(node: Option<&Node>, cx: &mut Context<'_>) -> Option<World> {
     if let Some(path) = cx.world.clone() {
-        return crate::world::load(&path, None, cx.sources, &mut cx.faults);
+        return crate::world::load(&path, None, &cx.variables, cx.sources, &mut cx.faults);
     }
     match node {
         None => Some(World::default()),
@@ -186,7 +186,13 @@ pub(super) fn world(node: Option<&Node>, cx: &mut Context<'_>) -> Option<World> 
             span,
         }) => {
             let path = cx.folder.join(name);
-            crate::world::load(&path, Some(*span), cx.sources, &mut cx.faults)
+            crate::world::load(
+                &path,
+                Some(*span),
+                &cx.variables,
+                cx.sources,
+                &mut cx.faults,
+            )
         }
         Some(node) if node.as_table().is_some() => {
             let folder = cx.folder.clone();

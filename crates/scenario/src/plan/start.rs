@@ -9,6 +9,7 @@
 //! | `{ grid = [4, 3, 2], spacing = "2 m", from = [...] }` | at its own point of the grid, `x` first |
 //! | `{ list = [[...], [...]] }` | at its own point of the list |
 //! | `{ file = "positions.csv" }` | at its own line: `x, y, z` in metres |
+//! | `{ area = "roof" }` | in the `[[spawn]]` of that name in the world |
 //!
 //! With each of them `yaw = "90 deg"` or `heading = "0 deg"` turns the model; `"random"` turns each
 //! one its own way. Draws hang on the seed and the model's path: nobody else moves when a model is
@@ -21,6 +22,7 @@ use simbeeotic_model::config::{Fault, Node, Span, Value};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Attitude, Heading, Length, Pose, Position, Yaw, math};
+use simbeeotic_world::Spawn;
 use std::f64::consts::TAU;
 
 /// Where the models of one entry start.
@@ -47,6 +49,7 @@ enum Placing {
         cells: [u64; 3],
     },
     List(Vec<DVec3>),
+    Area(Spawn),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +59,7 @@ enum Turn {
 }
 
 /// The forms of a start, by their key.
-const FORMS: [&str; 6] = ["point", "box", "ball", "grid", "list", "file"];
+const FORMS: [&str; 7] = ["point", "box", "ball", "grid", "list", "file", "area"];
 /// Less of a ball above the ground than this part of it is refused.
 const LEAST_ABOVE_GROUND: f64 = 1e-3;
 /// Draws until a point of a ball lies above the ground, at most.
@@ -79,6 +82,7 @@ impl Start {
         match &self.placing {
             Placing::Grid { cells, .. } => Some(cells.iter().product()),
             Placing::List(list) => Some(list.len() as u64),
+            Placing::Area(area) => area.places(),
             _ => None,
         }
     }
@@ -86,6 +90,7 @@ impl Start {
     /// Where model number `index` starts, which is at `path`.
     pub(super) fn pose(&self, seed: u64, path: &str, index: u64) -> Pose {
         let mut stream = Stream::new(seed, path, "start");
+        let mut looks = None;
         let position = match &self.placing {
             Placing::Point(point) => *point,
             Placing::Box { from, size } => {
@@ -107,10 +112,16 @@ impl Start {
                 .and_then(|i| list.get(i))
                 .copied()
                 .unwrap_or_default(),
+            Placing::Area(area) => {
+                let pose = area.place(index, &mut stream);
+                looks = pose.yaw;
+                pose.position.si()
+            }
         };
-        let attitude = match self.turn {
-            Turn::Fixed(attitude) => attitude,
-            Turn::Random => {
+        let attitude = match (looks, self.turn) {
+            (Some(yaw), _) => Attitude::from_yaw(yaw),
+            (None, Turn::Fixed(attitude)) => attitude,
+            (None, Turn::Random) => {
                 let angle = simbeeotic_units::Angle::si(stream.uniform() * TAU);
                 Attitude::from_yaw(Yaw::new(angle))
             }
@@ -139,8 +150,9 @@ impl Start {
                 section.finish(&mut cx.faults);
                 let message = "this start says nowhere";
                 let fault = Fault::error(node.span, message);
-                cx.faults
-                    .push(fault.help("one of `point`, `box`, `ball`, `grid`, `list`, `file`"));
+                cx.faults.push(
+                    fault.help("one of `point`, `box`, `ball`, `grid`, `list`, `file`, `area`"),
+                );
                 return None;
             }
             [_, second, ..] => {
@@ -245,6 +257,19 @@ impl Context<'_> {
                 // All of them are looked at, so that all faults are found.
                 let places: Vec<Option<DVec3>> = places.collect();
                 places.into_iter().collect::<Option<_>>().map(Placing::List)
+            }
+            "area" => {
+                let name: String = read(value, faults)?;
+                if let Some(area) = self.areas.iter().find(|area| area.name == name) {
+                    return Some(Placing::Area(area.clone()));
+                }
+                let known = self.areas.iter().map(|area| area.name.as_str());
+                let fault = Fault::unknown(value.span, "area to start in", &name, known);
+                self.faults.push(match self.areas.is_empty() {
+                    true => fault.help("the world has none: a `[[spawn]]` there makes one"),
+                    false => fault,
+                });
+                None
             }
             _ => {
                 let name: String = read(value, faults)?;

@@ -19,6 +19,7 @@ mod tree;
 mod variables;
 mod world;
 
+use crate::variables::Variables;
 use simbeeotic_model::config::{Fault, Node, SourceId};
 
 /// What an XML document is.
@@ -37,8 +38,13 @@ pub fn looks_like_xml(text: &str) -> bool {
         .starts_with('<')
 }
 
+/// What the outermost element is called, if the text is well-formed.
+pub fn root_name(text: &str, source: SourceId) -> Option<String> {
+    tree::parse(text, source).ok().map(|root| root.name.text)
+}
+
 /// Reads a document as a tree like that of a TOML file of the same meaning. Warnings and notes come
-/// with it.
+/// with it. A scenario fills in the `variables` that a world is read with.
 ///
 /// # Errors
 /// Everything that is wrong with it.
@@ -46,11 +52,15 @@ pub fn parse(
     text: &str,
     source: SourceId,
     wanted: Document,
+    given: &mut Variables,
 ) -> Result<(Node, Vec<Fault>), Vec<Fault>> {
     let root = tree::parse(text, source)?;
     let (node, mut faults) = match (root.name.text.as_str(), wanted) {
-        ("scenario", Document::Scenario) => scenario::scenario(&root),
-        ("world", Document::World) => world::world(&root),
+        ("scenario", Document::Scenario) => scenario::scenario(&root, given),
+        ("world", Document::World) => world::world(&root, given),
+        ("world", Document::Scenario) => {
+            return Err(vec![crate::load::world_where_scenario(root.name.span)]);
+        }
         (other, Document::Scenario) => {
             let message = format!("a scenario begins with `<scenario>`, not with `<{other}>`");
             return Err(vec![Fault::error(root.name.span, message)]);

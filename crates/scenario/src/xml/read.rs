@@ -165,6 +165,10 @@ impl Translation {
 
     /// A number with the unit that the original meant, as a quantity of ours.
     pub(crate) fn quantity(&mut self, text: &Text, unit: &str) -> Option<Node> {
+        // A variable of a TOML scenario says its unit itself.
+        if number(&text.text).is_none() && self.variables.is_given(&text.text) {
+            return Some(Node::string(text.span, text.text.clone()));
+        }
         let number = self.number(text)?;
         Some(Node::string(text.span, format!("{number} {unit}")))
     }

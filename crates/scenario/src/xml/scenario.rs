@@ -15,6 +15,7 @@ use super::part::{Found, Settings};
 use super::read::{Translation, put, widen};
 use super::tree::{Element, Text};
 use super::variables::Variables;
+use crate::variables::Variables as Given;
 use simbeeotic_model::config::{Fault, Key, Node, Span, Table, Value};
 use simbeeotic_model::registry::Kind;
 
@@ -32,7 +33,7 @@ const CHANNEL_DEFAULTS: [(&str, &str); 3] = [
 const RANDOM_START_BOUND_M: f64 = 10.0;
 
 /// The tree that a TOML file of the same meaning has.
-pub(super) fn scenario(root: &Element) -> (Node, Vec<Fault>) {
+pub(super) fn scenario(root: &Element, given: &mut Given) -> (Node, Vec<Fault>) {
     let mut faults = Vec::new();
     let variables = Variables::of(root, &mut faults);
     let mut translation = Translation::new(variables);
@@ -43,6 +44,7 @@ pub(super) fn scenario(root: &Element) -> (Node, Vec<Fault>) {
         weather: None,
     };
     let node = scenario.read(root);
+    scenario.t.variables.give(given);
     (node, scenario.t.faults)
 }
 

@@ -7,6 +7,7 @@
 use super::java::JavaRandom;
 use super::read::{number, whole};
 use super::tree::{Element, Text};
+use crate::variables::{NAME_HELP, Variables as Given, is_name, placeholder};
 use simbeeotic_model::config::{Fault, Span};
 
 /// Values of one `for` that are counted at most.
@@ -20,6 +21,8 @@ const REDRAWS_MAX: usize = 100_000;
 #[derive(Debug, Default)]
 pub(crate) struct Variables {
     all: Vec<Variable>,
+    /// Variables that another document, the scenario, has given; `Some` for a world.
+    given: Option<Given>,
     master_seed: i64,
     pub(crate) variations: f64,
 }
@@ -42,6 +45,30 @@ enum State {
 }
 
 impl Variables {
+    /// The variables that a scenario gives to its world.
+    pub(crate) fn given(given: &Given) -> Self {
+        Self {
+            given: Some(given.clone()),
+            ..Self::default()
+        }
+    }
+
+    /// Whether a text is the value of a variable that was given: it may have a unit of its own.
+    pub(crate) fn is_given(&self, text: &str) -> bool {
+        let given = self.given.iter();
+        let mut values = given.flat_map(|g| g.names().filter_map(|name| g.text(name)));
+        values.any(|value| value == text)
+    }
+
+    /// Tells the values that were found.
+    pub(crate) fn give(&self, given: &mut Given) {
+        for variable in &self.all {
+            if let State::Known(value) = &variable.state {
+                given.set(&variable.name.text, value);
+            }
+        }
+    }
+
     /// Collects the variables of a scenario and finds the first value of each.
     pub(crate) fn of(scenario: &Element, faults: &mut Vec<Fault>) -> Self {
         let mut variables = Self {
@@ -61,8 +88,7 @@ impl Variables {
             };
             if !is_name(&name.text) {
                 let message = format!("`{}` is no name for a variable", name.text);
-                let help = "letters and digits, joined by `-`, `_` or `.`";
-                faults.push(Fault::error(name.span, message).help(help));
+                faults.push(Fault::error(name.span, message).help(NAME_HELP));
                 continue;
             }
             if variables.all.iter().any(|v| v.name.text == name.text) {
@@ -103,9 +129,15 @@ impl Variables {
                     .unwrap_or_else(|| "0".to_owned()),
             );
         }
-        let known = self.all.iter().map(|v| v.name.text.as_str());
+        if let Some(value) = self.given.as_ref().and_then(|given| given.text(name)) {
+            return Some(value);
+        }
+        let given = self.given.iter().flat_map(Given::names);
+        let known = self.all.iter().map(|v| v.name.text.as_str()).chain(given);
         let fault = Fault::unknown(text.span, "variable", name, known);
         match default {
+            // A world may serve scenarios that do not set it.
+            Some(default) if self.given.is_some() => Some(default.to_owned()),
             Some(default) => {
                 let message = format!("{}; its default `{default}` is used", fault.message);
                 faults.push(Fault::warning(text.span, message));
@@ -171,27 +203,6 @@ fn takes_stream(definition: &Element) -> bool {
     definition
         .attribute("seed-source")
         .is_some_and(|s| s.text == "RANDOM_STREAM")
-}
-
-/// Name and default of a placeholder, `${name}` or `${name}:default`, if the text is one.
-fn placeholder(text: &str) -> Option<(&str, Option<&str>)> {
-    let (name, rest) = text.trim().strip_prefix("${")?.split_once('}')?;
-    if !is_name(name) {
-        return None;
-    }
-    match rest {
-        "" => Some((name, None)),
-        _ => rest.strip_prefix(':').map(|default| (name, Some(default))),
-    }
-}
-
-/// Letter first, then letters and digits in sections joined by `-`, `_` or `.`.
-fn is_name(name: &str) -> bool {
-    let joint = |c: char| matches!(c, '-' | '_' | '.');
-    name.starts_with(|c: char| c.is_alphabetic())
-        && name
-            .split(joint)
-            .all(|s| !s.is_empty() && s.chars().all(char::is_alphanumeric))
 }
 
 /// One definition being read.

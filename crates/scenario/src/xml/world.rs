@@ -12,6 +12,7 @@
 use super::read::{Translation, put};
 use super::tree::{Element, Text};
 use super::variables::Variables;
+use crate::variables::Variables as Given;
 use simbeeotic_model::config::{Fault, Key, Node, Table, Value};
 use simbeeotic_world::Color;
 
@@ -54,9 +55,9 @@ const TRAP_SIZES: Sizes = &[
 ];
 
 /// The tree that a TOML file of the same meaning has.
-pub(super) fn world(root: &Element) -> (Node, Vec<Fault>) {
+pub(super) fn world(root: &Element, given: &Given) -> (Node, Vec<Fault>) {
     let mut world = World {
-        t: Translation::new(Variables::default()),
+        t: Translation::new(Variables::given(given)),
     };
     let node = world.read(root);
     (node, world.t.faults)

@@ -191,7 +191,7 @@ fn load(text: &str) -> Result<(), (Vec<Fault>, Sources)> {
 fn load_world(text: &str) -> Result<(), (Vec<Fault>, Sources)> {
     let mut sources = Sources::new();
     let id = sources.add("broken", text);
-    match xml::parse(text, id, Document::World) {
+    match xml::parse(text, id, Document::World, &mut Default::default()) {
         Ok(_) => Ok(()),
         Err(faults) => Err((faults, sources)),
     }

@@ -120,7 +120,8 @@ fn converted_scenario_and_world_stand_beside_each_other() {
     let path = |name: &str| folder.path().join(name);
     fs::write(path("f.xml"), FIGURE12).expect("written");
     fs::write(path("w.xml"), WORLD).expect("written");
-    let world = simbeeotic_scenario::convert_world(&path("w.xml")).expect("good");
+    let world =
+        simbeeotic_scenario::convert_world(&path("w.xml"), &Default::default()).expect("good");
     fs::write(path("w.toml"), world.toml).expect("written");
     let converted = convert_file(&path("f.xml"), Some(&path("w.toml"))).expect("good");
     assert!(

@@ -297,7 +297,8 @@ fn channel_and_weather_are_one_for_all() {
 #[test]
 fn what_is_no_scenario_says_so() {
     for (text, word) in [
-        ("<world/>", "begins with `<scenario>`, not with `<world>`"),
+        ("<world/>", "this is a world, and a scenario is wanted"),
+        ("<swarm/>", "begins with `<scenario>`, not with `<swarm>`"),
         ("<scenario/>", "has no `simulation`"),
         ("<scenario><simulation/></scenario>", "has no `end-time`"),
         (

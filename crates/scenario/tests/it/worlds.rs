@@ -194,7 +194,8 @@ fn the_original_s_world_is_the_same_in_toml() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("w.xml");
     fs::write(&path, WORLD).expect("written");
-    let converted = convert_world(&path).unwrap_or_else(|r| panic!("{}", shown(&r)));
+    let converted =
+        convert_world(&path, &Default::default()).unwrap_or_else(|r| panic!("{}", shown(&r)));
     insta::assert_snapshot!("world_xml_as_toml", converted.toml);
     assert_eq!(world("w.toml", &converted.toml), world("w.xml", WORLD));
     let said = simbeeotic_scenario::render::faults(&converted.faults, &converted.sources, false);

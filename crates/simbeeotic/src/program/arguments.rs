@@ -31,7 +31,7 @@ pub(super) enum Command {
     /// Run a scenario (TOML, or the original's XML)
     #[command(after_help = RUN_EXAMPLES)]
     Run(RunOptions),
-    /// Find every error of a scenario, without running it
+    /// Find every error of a scenario, or of a world alone, without running it
     Check(ScenarioOptions),
     /// List the parts that a scenario can name
     List {

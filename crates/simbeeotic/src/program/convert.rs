@@ -16,15 +16,13 @@ pub(super) fn convert(options: &ConvertOptions) -> Result<(), Failure> {
     {
         refuse_toml(path)?;
     }
-    let world = world_path
-        .map(|path| {
-            Ok((
-                beside(path, options)?,
-                convert_world(path).map_err(rejected)?,
-            ))
-        })
-        .transpose()?;
+    let target = world_path.map(|path| beside(path, options)).transpose()?;
     let scenario = convert_file(&options.scenario, world_path).map_err(rejected)?;
+    let world = target
+        .zip(world_path)
+        .map(|(target, path)| Ok((target, convert_world(path, &scenario.variables)?)))
+        .transpose()
+        .map_err(rejected)?;
     if let Some(path) = &options.output {
         keep_input(path, options)?;
     }

@@ -4,23 +4,12 @@ use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
 use crate::library;
 use simbeeotic_model::{Setup, SetupError};
-use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, render};
+use simbeeotic_scenario::{Checked, Loaded, Rejected, Request, check_file, load_file, render};
 use simbeeotic_units::Time;
 
 /// Reads and checks a scenario; shows warnings and notes unless `quiet`.
 pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Failure> {
-    let mut sets = options.sets.clone();
-    if let Some(seed) = options.seed {
-        sets.push(format!("run.seed={seed}"));
-    }
-    if let Some(end) = &options.end_time {
-        sets.push(format!("run.end_time={end}"));
-    }
-    let request = Request {
-        world: options.world.clone(),
-        sets,
-    };
-    match load_file(&options.scenario, &request) {
+    match load_file(&options.scenario, &request(options)) {
         Ok(loaded) => {
             if !quiet {
                 run::warn(&render::faults(loaded.faults(), loaded.sources(), colour()));
@@ -28,6 +17,34 @@ pub(super) fn load(options: &ScenarioOptions, quiet: bool) -> Result<Loaded, Fai
             Ok(loaded)
         }
         Err(rejected) => Err(Failure::input(text_of(&rejected))),
+    }
+}
+
+/// Reads and checks a scenario, or a world alone; shows warnings and notes.
+pub(super) fn check(options: &ScenarioOptions) -> Result<Checked, Failure> {
+    let checked = check_file(&options.scenario, &request(options));
+    let checked = checked.map_err(|rejected| Failure::input(text_of(&rejected)))?;
+    let (faults, sources) = match &checked {
+        Checked::Scenario(loaded) => (loaded.faults(), loaded.sources()),
+        Checked::World {
+            faults, sources, ..
+        } => (faults.as_slice(), sources),
+    };
+    run::warn(&render::faults(faults, sources, colour()));
+    Ok(checked)
+}
+
+fn request(options: &ScenarioOptions) -> Request {
+    let mut sets = options.sets.clone();
+    if let Some(seed) = options.seed {
+        sets.push(format!("run.seed={seed}"));
+    }
+    if let Some(end) = &options.end_time {
+        sets.push(format!("run.end_time={end}"));
+    }
+    Request {
+        world: options.world.clone(),
+        sets,
     }
 }
 

@@ -6,7 +6,8 @@ use super::{Failure, remark, same_file, say, show};
 use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::{Setup, Simulation, SimulationError};
-use simbeeotic_scenario::Loaded;
+use simbeeotic_scenario::{Checked, Loaded};
+use simbeeotic_world::{Patch, World};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -161,9 +162,12 @@ fn recorder(path: &Path, loaded: &Loaded) -> Result<Box<dyn simbeeotic_model::Co
     })
 }
 
-/// Checks a scenario: reads it and puts it together, and does not run it.
+/// Checks a scenario: reads it and puts it together, and does not run it. A world alone is read.
 pub(super) fn check(options: &ScenarioOptions) -> Result<(), Failure> {
-    let loaded = input::load(options, false)?;
+    let loaded = match input::check(options)? {
+        Checked::Scenario(loaded) => loaded,
+        Checked::World { name, world, .. } => return say(describe_world(&name, &world)),
+    };
     let setup = input::setup(&loaded)?;
     let simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;
     say(describe(&loaded, &simulation))
@@ -189,6 +193,27 @@ fn describe(loaded: &Loaded, simulation: &Simulation) -> String {
         kinds.join(", "),
         simulation.end()
     )
+}
+
+fn describe_world(name: &str, world: &World) -> String {
+    let flowers: usize = world.patches.iter().map(Patch::count).sum();
+    let flowers = format!("patches of flowers ({flowers})");
+    let counts = [
+        ("obstacles", world.obstacles.len()),
+        ("structures", world.structures.len()),
+        (flowers.as_str(), world.patches.len()),
+        ("people", world.people.len()),
+        ("terrain", usize::from(world.terrain.is_some())),
+        ("materials", world.materials.len()),
+        ("areas to start in", world.spawns.len()),
+        ("places", world.places.len()),
+    ];
+    let there = counts.iter().filter(|(_, count)| *count > 0);
+    let there: Vec<String> = there.map(|(what, n)| format!("{n} {what}")).collect();
+    match there.is_empty() {
+        true => format!("{name} is a fine world: an empty plane"),
+        false => format!("{name} is a fine world: {}", there.join(", ")),
+    }
 }
 
 /// For a file that says more than it means: shown once, before the run.
