@@ -42,6 +42,7 @@
 //! State lives in `self`; time passes only between calls; timers are methods, declared in `build`.
 
 use crate::config::Params;
+use crate::energy::BatteryEvent;
 use crate::host::{Flying, Host};
 use crate::message::{Message, Touch};
 use crate::sensor::Handle;
@@ -85,6 +86,9 @@ pub trait Behavior<H: Host = Flying>: Sized + Send + 'static {
 
     /// Called when the body touches something.
     fn on_contact(&mut self, _touch: &Touch, _host: &mut H::View<'_>) {}
+
+    /// Called when something happens to the battery, if there is one on board.
+    fn on_battery(&mut self, _event: BatteryEvent, _host: &mut H::View<'_>) {}
 
     /// Called with a message of another model.
     fn on_message(&mut self, _message: &Message, _host: &mut H::View<'_>) {}

@@ -1,7 +1,8 @@
 //! A behaviour on its host: the model behind every vehicle, station and planner.
 
 use crate::behavior::{Behavior, BuildError, Declared, Handler};
-use crate::host::{Cx, Host, Platform};
+use crate::energy::{BatteryEvent, Plug};
+use crate::host::{Cx, Host, Platform, supply};
 use crate::instance::Instance;
 use crate::kit::Kit;
 use crate::model::{Model, Wake};
@@ -83,6 +84,7 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
         for timer in std::mem::take(&mut self.declared) {
             cx.create_timer(timer.call, timer.first, timer.period);
         }
+        cx.start_supply(control.map(|c| c.1));
         let timings = self.host.gear().map(|gear| gear.timings());
         for (sensor, [first, period, delay]) in timings.unwrap_or_default() {
             let Some(call) = Call::sensor(sensor) else {
@@ -96,13 +98,34 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
     }
 
     fn wake(&mut self, wake: Wake<'_>, cx: &mut Cx<'_>) {
+        // Most models have nothing of that kind on board.
+        if cx.core.onboard.is_none() {
+            return self.act(&wake, cx);
+        }
+        self.supplied(&wake, cx);
+    }
+
+    fn touch(&self) -> u64 {
+        self.handlers.len() as u64 ^ self.declared.len() as u64 ^ self.host.touch()
+    }
+
+    fn finish(&mut self, cx: &mut Cx<'_>) {
+        self.behavior.on_finish(&mut self.host.view(cx.reborrow()));
+        self.host.finish(cx.reborrow());
+    }
+}
+
+impl<B: Behavior<H>, H: Host> Hosted<B, H> {
+    /// What a wake-up is for.
+    #[inline]
+    fn act(&mut self, wake: &Wake<'_>, cx: &mut Cx<'_>) {
         let Self {
             behavior,
             host,
             handlers,
             ..
         } = self;
-        match wake {
+        match *wake {
             Wake::Timer(CONTROL) => {
                 behavior.on_control(&mut host.view(cx.reborrow()));
                 host.control(cx.reborrow());
@@ -121,6 +144,8 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
                     handler(behavior, &mut host.view(cx.reborrow()));
                 }
             }
+            // A charger's, on something without a battery.
+            Wake::Message(message) if message.get::<Plug>().is_some() => {}
             Wake::Message(message) => {
                 behavior.on_message(message, &mut host.view(cx.reborrow()));
             }
@@ -134,12 +159,43 @@ impl<B: Behavior<H>, H: Host> Model for Hosted<B, H> {
         }
     }
 
-    fn touch(&self) -> u64 {
-        self.handlers.len() as u64 ^ self.declared.len() as u64 ^ self.host.touch()
-    }
-
-    fn finish(&mut self, cx: &mut Cx<'_>) {
-        self.behavior.on_finish(&mut self.host.view(cx.reborrow()));
-        self.host.finish(cx.reborrow());
+    /// The same on a platform with a battery, or with sensors that listen along.
+    fn supplied(&mut self, wake: &Wake<'_>, cx: &mut Cx<'_>) {
+        let mut touched = false;
+        match wake {
+            Wake::Message(message) if cx.plugged(message) => {}
+            // Nobody is there to hear of it.
+            _ if cx.is_off() => {}
+            Wake::Packets(inbox) => {
+                if let Some(gear) = self.host.gear() {
+                    Platform::new(cx.reborrow(), gear).heard(*inbox);
+                }
+                self.act(wake, cx);
+            }
+            Wake::Touch(touch) => {
+                touched = touch.normal[2] < -0.5;
+                self.act(wake, cx);
+            }
+            _ => self.act(wake, cx),
+        }
+        if cx.power().is_none() {
+            return;
+        }
+        if let Some(gear) = self.host.gear() {
+            let down_m_s = -Platform::new(cx.reborrow(), gear).velocity().si().z;
+            supply::landed(&mut self.host, touched, down_m_s, cx);
+        }
+        while let Some(event) = cx.battery_event() {
+            // What is charged is told when it is on again, the rest while it still is.
+            if event == BatteryEvent::Charged {
+                supply::apply(&mut self.host, event, cx);
+            }
+            let view = self.host.view(cx.reborrow());
+            self.behavior.on_battery(event, &mut { view });
+            if event != BatteryEvent::Charged {
+                supply::apply(&mut self.host, event, cx);
+            }
+        }
+        cx.arm_battery();
     }
 }

@@ -1,15 +1,16 @@
 //! One instance of a model while it is put together.
 
 use crate::behavior::BuildError;
+use crate::energy::{Onboard, Supply};
 use crate::kit::RadioHandle;
 use crate::registry::{SensorFactory, SensorKit, VehicleFactory};
 use crate::sampling::Sampling;
-use crate::sensor::{AnySensor, Handle};
+use crate::sensor::{AnySensor, Handle, Needs};
 use crate::vehicle::{AnyVehicle, VehicleKit};
 use simbeeotic_kernel::{ModelId, rng::path_key};
 use simbeeotic_physics::{BodyId, BodySpec, Physics};
 use simbeeotic_radio::{Antenna, Medium, RadioId, RadioSpec};
-use simbeeotic_units::{Current, Mount, Pose};
+use simbeeotic_units::{Current, Mount, Pose, Time};
 use std::any::TypeId;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -21,6 +22,8 @@ pub struct GearPlan {
     pub sensors: Vec<SensorPlan>,
     /// Radios, in the scenario's order.
     pub radios: Vec<RadioPlan>,
+    /// What it all runs on; `None`: nothing runs out.
+    pub supply: Option<Arc<Supply>>,
 }
 
 /// One sensor of a [`GearPlan`].
@@ -36,6 +39,8 @@ pub struct SensorPlan {
     pub sampling: Sampling,
     /// The current it draws while it is on; `None`: what its kind says.
     pub current: Option<Current>,
+    /// How long it is on for each sample; `None`: always.
+    pub on_time: Option<Time>,
 }
 
 /// One radio of a [`GearPlan`].
@@ -49,6 +54,17 @@ pub struct RadioPlan {
     pub antenna: Arc<dyn Antenna>,
     /// Where its antenna sits, and how it points.
     pub mount: Mount,
+}
+
+impl SensorPlan {
+    /// What it draws in the mean, if its kind draws `usual` while it is on.
+    fn mean_current(&self, usual: Current) -> Current {
+        let duty = match (self.on_time, self.sampling.period) {
+            (Some(on), Some(period)) => (on / period).min(1.0),
+            _ => 1.0,
+        };
+        self.current.unwrap_or(usual) * duty
+    }
 }
 
 impl GearPlan {
@@ -106,6 +122,7 @@ pub struct Instance<'a> {
     pub(crate) medium: Option<&'a mut Box<dyn Medium>>,
     pub(crate) body: Option<BodyId>,
     pub(crate) radios: Vec<RadioId>,
+    pub(crate) onboard: Onboard,
 }
 
 impl Instance<'_> {
@@ -147,7 +164,9 @@ impl Instance<'_> {
 
     /// An error if the scenario gave gear to something that cannot carry any.
     pub(crate) fn refuse_gear(&self, what: &str) -> Result<(), BuildError> {
-        if self.gear.sensors.is_empty() && self.gear.radios.is_empty() {
+        if self.gear.supply.is_some() {
+            Err(BuildError::other(format!("{what} runs on no battery")))
+        } else if self.gear.sensors.is_empty() && self.gear.radios.is_empty() {
             Ok(())
         } else {
             Err(BuildError::other(format!(
@@ -156,17 +175,52 @@ impl Instance<'_> {
         }
     }
 
-    pub(crate) fn sensors(&self) -> Result<Box<[Box<dyn AnySensor>]>, BuildError> {
-        let sensors = self.gear.sensors.iter().map(|plan| {
+    pub(crate) fn sensors(&mut self) -> Result<Box<[Box<dyn AnySensor>]>, BuildError> {
+        let gear = Arc::clone(&self.gear);
+        let mut sensors = Vec::with_capacity(gear.sensors.len());
+        let mut current = Current::ZERO;
+        for plan in &gear.sensors {
             let path = format!("{}/{}", self.path, plan.name);
-            plan.factory.build(&SensorKit {
+            let sensor = plan.factory.build(&SensorKit {
                 mount: plan.mount,
                 sampling: plan.sampling,
                 seed: self.seed,
                 path: &path,
-            })
-        });
-        sensors.collect()
+            })?;
+            self.give(&plan.name, &sensor.needs())?;
+            current += plan.mean_current(sensor.current());
+            sensors.push(sensor);
+        }
+        self.onboard.constant[0] = current;
+        Ok(sensors.into())
+    }
+
+    /// Sees that a sensor finds on board what it measures.
+    fn give(&mut self, sensor: &str, needs: &Needs) -> Result<(), BuildError> {
+        let lacks = |what: &str| {
+            let message = format!("sensor `{sensor}` measures {what}");
+            Err(BuildError::other(message))
+        };
+        match needs {
+            Needs::Nothing => {}
+            Needs::Battery if self.onboard.power.is_none() => {
+                return lacks("a battery, and there is none on board; add a [model.battery]");
+            }
+            Needs::Battery => {}
+            Needs::Motors if self.vehicle.is_none() => {
+                return lacks("motors, and a station has none");
+            }
+            Needs::Motors => self.onboard.watched = true,
+            Needs::Radio(name) => {
+                match name {
+                    Some(name) => drop(self.gear.radio_named(name)?),
+                    None if self.gear.radios.is_empty() => return Err(BuildError::NoRadio),
+                    None => {}
+                }
+                self.onboard.ears = true;
+            }
+        }
+        Ok(())
     }
 
     /// Puts the platform's radios on the air.

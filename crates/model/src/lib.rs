@@ -51,7 +51,9 @@ mod watch;
 pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
-pub use energy::{Accounts, Consumer};
+pub use energy::{
+    Accounts, BatteryEvent, BatteryState, Books, Condition, Consumer, Effort, Plug, Plugged, Supply,
+};
 pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Station};
 pub use image::{Image, Pixels};
 pub use message::{Message, Thing, Touch};
@@ -61,7 +63,7 @@ pub use reading::{Column, Reading};
 pub use registry::{FromParams, Radio, Site};
 pub use sampling::{Sample, SamplePhase, Sampling};
 pub use sees::SeesWhat;
-pub use sensor::{Handle, Sensor, Taken};
+pub use sensor::{Handle, Needs, Sensor, Taken};
 pub use simulation::{ModelPlan, Outcome, Setup, SetupError, Simulation, SimulationError};
 pub use summary::Summary;
 pub use swarm::Mark;
@@ -95,8 +97,9 @@ pub mod prelude {
         Rate, Speed, Time, Twist, Velocity, Yaw,
     };
     pub use crate::{
-        Behavior, BuildError, Call, Column, Consumer, Handle, Image, Kit, Message, RadioHandle,
-        Reading, Sample, SeesWhat, Sensor, Thing, TimerHandle, Touch, Truth,
+        BatteryEvent, BatteryState, Behavior, BuildError, Call, Column, Condition, Consumer,
+        Handle, Image, Kit, Message, RadioHandle, Reading, Sample, SeesWhat, Sensor, Thing,
+        TimerHandle, Touch, Truth,
     };
     pub use simbeeotic_macros::{behavior, choice, params, sensor};
 }

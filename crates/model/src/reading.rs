@@ -4,7 +4,7 @@ use crate::image::Image;
 use simbeeotic_units::{
     Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Density, Energy, Force,
     Frame, Frequency, Heading, Length, MagneticField, Pose, Power, PowerLevel, Pressure, Quantity,
-    Speed, Temperature, Time, Torque, Twist, V3, VectorQuantity, Voltage,
+    Resistance, Speed, Temperature, Time, Torque, Twist, V3, VectorQuantity, Voltage,
 };
 
 /// One column of a recorded reading.
@@ -86,6 +86,7 @@ one_number!(
     Power,
     PowerLevel,
     Pressure,
+    Resistance,
     Speed,
     Temperature,
     Time,

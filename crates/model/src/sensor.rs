@@ -19,6 +19,7 @@ use crate::sampling::{Sample, Sampler};
 use crate::timer::Call;
 use crate::view::Truth;
 use simbeeotic_kernel::{SimTime, Stream};
+use simbeeotic_radio::Inbox;
 use simbeeotic_units::{Current, Mount, Time};
 use std::any::Any;
 use std::fmt;
@@ -55,10 +56,32 @@ pub trait Sensor: Sized + Send + 'static {
     /// Called when its host's body touches something, before its behaviour hears of it.
     fn touched(&mut self, _touch: &Touch, _truth: &Truth<'_>) {}
 
+    /// Called with everything that one radio of its host heard at this instant, before its behaviour
+    /// hears of it; of sensors that [need](Self::needs) a radio only. `radio` is the radio's name.
+    fn heard(&mut self, _radio: &str, _inbox: Inbox<'_>) {}
+
     /// The current it draws while it is on, unless the scenario says another.
     fn current(&self) -> Current {
         Current::ZERO
     }
+
+    /// What must be on board besides itself.
+    fn needs(&self) -> Needs {
+        Needs::Nothing
+    }
+}
+
+/// What a sensor of the platform's own state measures, and so needs on board.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// Nothing.
+    Nothing,
+    /// A battery.
+    Battery,
+    /// A vehicle.
+    Motors,
+    /// A radio: the one of this name, or any.
+    Radio(Option<String>),
 }
 
 /// A checked way to one sensor of one's own platform, with readings of type `R`.
@@ -101,8 +124,14 @@ pub trait AnySensor: Send {
     /// See [`Sensor::touched`].
     fn touched(&mut self, touch: &Touch, truth: &mut Truth<'_>);
 
+    /// See [`Sensor::heard`].
+    fn heard(&mut self, radio: &str, inbox: Inbox<'_>);
+
     /// See [`Sensor::current`].
     fn current(&self) -> Current;
+
+    /// See [`Sensor::needs`].
+    fn needs(&self) -> Needs;
 }
 
 /// A reading and the truth beside it, as numbers and pictures.
@@ -214,7 +243,15 @@ impl<S: Sensor> AnySensor for Mounted<S> {
         self.sensor.touched(touch, truth);
     }
 
+    fn heard(&mut self, radio: &str, inbox: Inbox<'_>) {
+        self.sensor.heard(radio, inbox);
+    }
+
     fn current(&self) -> Current {
         self.sensor.current()
+    }
+
+    fn needs(&self) -> Needs {
+        self.sensor.needs()
     }
 }

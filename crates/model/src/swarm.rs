@@ -8,7 +8,7 @@
 //! 3. *commit*: what they did is applied in the order of their ids;
 //! 4. *close*: contacts of the bodies that changed are predicted anew.
 
-use crate::energy::{Accounts, Consumer};
+use crate::energy::{Accounts, BatteryState, Books, Consumer, Drawn, Onboard};
 use crate::fold;
 use crate::host::Cx;
 use crate::instance::GearPlan;
@@ -60,8 +60,10 @@ pub(crate) struct Core {
     pub(crate) rng: Stream,
     /// Each timer's label is the [`Call`](crate::Call) it makes.
     pub(crate) timers: Timers,
-    pub(crate) accounts: Accounts,
+    pub(crate) drawn: Drawn,
     pub(crate) radios: Box<[RadioId]>,
+    /// Batteries and the like; most models have none.
+    pub(crate) onboard: Option<Box<Onboard>>,
 }
 
 const _: () = assert!(size_of::<Agent>() == 192);
@@ -243,20 +245,67 @@ impl Swarm {
 
     /// What a model has drawn up to `now`, its radios' states settled.
     pub(crate) fn accounts(&self, core: &Core, now: SimTime) -> Accounts {
-        let mut accounts = core.accounts;
+        let mut accounts = core.drawn.at(now);
+        let onboard = core.onboard.as_deref();
+        match onboard.and_then(|onboard| onboard.off.as_ref()) {
+            Some((radios, _)) => accounts.add(radios),
+            None => accounts.add(&self.radio_accounts(core, now)),
+        }
+        if let Some(onboard) = onboard {
+            accounts.subtract(&onboard.lapsed);
+        }
+        accounts
+    }
+
+    /// What the books of a model's radios say.
+    pub(crate) fn radio_accounts(&self, core: &Core, now: SimTime) -> Accounts {
+        let mut accounts = Accounts::default();
+        let Some(medium) = &self.medium else {
+            return accounts;
+        };
+        let original = core.onboard.as_deref().and_then(|o| o.original.as_ref());
         let states = [
             (RadioState::Transmit, Consumer::RadioTx),
             (RadioState::Receive, Consumer::RadioRx),
             (RadioState::Idle, Consumer::RadioIdle),
+            (RadioState::Sleep, Consumer::RadioSleep),
         ];
-        for radio in &core.radios {
-            let Some(medium) = &self.medium else { break };
+        for (at, radio) in core.radios.iter().enumerate() {
+            if let Some(original) = original {
+                original.add(at, medium.spec(*radio), now, &mut accounts);
+                continue;
+            }
             let usage = medium.usage(*radio, now);
             for (state, consumer) in states {
                 accounts.draw(consumer, usage.charge(state));
             }
         }
         accounts
+    }
+
+    /// What a model draws now, A.
+    pub(crate) fn load_a(&self, core: &Core, now: SimTime) -> f64 {
+        let off = core.onboard.as_deref().is_some_and(|o| o.off.is_some());
+        let radios = core.radios.iter().filter(|_| !off);
+        let radios_a = radios.filter_map(|radio| {
+            let medium = self.medium.as_ref()?;
+            let currents = &medium.spec(*radio).currents;
+            let current = match medium.state(*radio, now) {
+                RadioState::Sleep => currents.sleep,
+                RadioState::Idle => currents.idle,
+                RadioState::Receive => currents.rx,
+                RadioState::Transmit => currents.tx,
+            };
+            Some(current.get())
+        });
+        core.drawn.current_a() + radios_a.sum::<f64>()
+    }
+
+    /// A model's battery as it is at `now`, whenever it was settled last.
+    pub(crate) fn battery(&self, core: &Core, now: SimTime) -> Option<(BatteryState, Books)> {
+        let mut power = core.onboard.as_deref()?.power.clone()?;
+        power.settle(now, &self.accounts(core, now));
+        Some((power.state(self.load_a(core, now)), power.books()))
     }
 
     /// Models with a body whose centre is within `radius` of `at`, but for `but`, by id.
@@ -470,7 +519,7 @@ impl Domain for Swarm {
     fn warm(&self, id: ModelId, agent: &Agent) -> u64 {
         let Agent { model, core } = agent;
         let body = self.body_of(id).map_or(0, |body| self.physics.warm(body));
-        core.timers.touch() ^ core.accounts.touch() ^ body ^ model.touch()
+        core.timers.touch() ^ core.drawn.touch() ^ body ^ model.touch()
     }
 
     fn commit(&mut self, id: ModelId, effect: Effect, cx: &mut Committing<'_>) {

@@ -25,18 +25,21 @@ impl Call {
     /// The host's control law, which is nobody's method.
     pub(crate) const CONTROL: Self = Self(u16::MAX);
 
+    /// A battery may have come to a threshold.
+    pub(crate) const BATTERY: Self = Self(u16::MAX - 1);
+
     /// Calls from here on are those of sensors: a sample is due or arrives.
     const SENSORS: u16 = 0x8000;
 
     /// A sensor's sample is due, or arrives. `None` for more sensors than calls.
     pub(crate) fn sensor(index: usize) -> Option<Self> {
         let call = Self::SENSORS.checked_add(u16::try_from(index).ok()?)?;
-        (call < u16::MAX).then_some(Self(call))
+        (call < Self::BATTERY.0).then_some(Self(call))
     }
 
     /// Which sensor's it is, if one's.
     pub(crate) fn as_sensor(self) -> Option<u16> {
-        (self != Self::CONTROL)
+        (self.0 < Self::BATTERY.0)
             .then(|| self.0.checked_sub(Self::SENSORS))
             .flatten()
     }

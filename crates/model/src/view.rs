@@ -1,10 +1,11 @@
 //! What sensors and components see: truth, read only.
 
+use crate::energy::{Battery, BatteryState, Effort};
 use crate::host::{Ray, Seen};
 use crate::population::Population;
 use crate::sees::SeesWhat;
 use crate::sensor::Taken;
-use crate::swarm::{Mark, Swarm};
+use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_physics::{BodyError, Motion};
 use simbeeotic_units::{
@@ -21,6 +22,7 @@ pub struct Truth<'a> {
     pub(crate) host: ModelId,
     pub(crate) mount: Mount,
     pub(crate) swarm: &'a Swarm,
+    pub(crate) core: &'a Core,
     /// Whether somebody looks at what is measured, and what has been.
     pub(crate) watched: bool,
     pub(crate) taken: Option<Box<Taken>>,
@@ -111,6 +113,24 @@ impl Truth<'_> {
         self.swarm.weather.wind(self.pose.position, self.now)
     }
 
+    /// The host's battery; `None` if it has none.
+    pub fn battery(&self) -> Option<BatteryState> {
+        Some(self.swarm.battery(self.core, self.now)?.0)
+    }
+
+    /// What kind of battery it is; `None` if the host has none.
+    pub fn battery_kind(&self) -> Option<&Battery> {
+        let power = self.core.onboard.as_deref()?.power.as_ref()?;
+        Some(power.battery())
+    }
+
+    /// What the host's motors were asked for last. Noted for sensors that
+    /// [need](crate::Sensor::needs) motors only; else zero.
+    pub fn effort(&self) -> Effort {
+        let onboard = self.core.onboard.as_deref();
+        onboard.map_or(Effort::default(), |onboard| onboard.effort)
+    }
+
     /// The air and its weather.
     pub fn weather(&self) -> &dyn simbeeotic_world::Weather {
         &*self.swarm.weather
@@ -168,6 +188,7 @@ impl Truth<'_> {
 pub struct View<'a> {
     pub(crate) now: SimTime,
     pub(crate) swarm: &'a Swarm,
+    pub(crate) agents: &'a [Agent],
     pub(crate) marks: &'a [Mark],
     pub(crate) origin: &'a Origin,
 }
@@ -237,6 +258,12 @@ impl<'a> View<'a> {
     /// The radius of the sphere around a model's body.
     pub fn radius(&self, id: ModelId) -> Option<Length> {
         self.swarm.radius_of(id)
+    }
+
+    /// A model's battery now; `None` if it has none.
+    pub fn battery(&self, id: ModelId) -> Option<BatteryState> {
+        let agent = self.agents.get(id.index())?;
+        Some(self.swarm.battery(&agent.core, self.now)?.0)
     }
 
     /// What happened since the last observation of this component's clock: touches, log lines,

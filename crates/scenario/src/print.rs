@@ -14,7 +14,7 @@ const LINE_MAX: usize = 88;
 /// An inline table has no more entries than this, outside of lists.
 const INLINE_MAX: usize = 4;
 /// Tables that stand as sections however small they are.
-const SECTIONS: [&str; 18] = [
+const SECTIONS: [&str; 19] = [
     "run",
     "channel",
     "weather",
@@ -27,6 +27,7 @@ const SECTIONS: [&str; 18] = [
     "vehicle",
     "sensor",
     "radio",
+    "battery",
     "sweep",
     "ground",
     "obstacle",

@@ -7,6 +7,7 @@
 use crate::plan::{DEFAULT_VEHICLE, PhysicsParams};
 use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
+use simbeeotic_model::energy::BatteryParams;
 use simbeeotic_model::registry::{Kind, Part, of_kind};
 use simbeeotic_units::{
     Attitude, Current, Decibels, Frequency, Heading, Length, Offset, Position, PowerLevel, Time,
@@ -333,6 +334,12 @@ fn sampling(all: &mut Definitions) -> Map<String, Value> {
             "current",
             all.of::<Current>("What it draws while it is on; unless said, what its kind does."),
         ),
+        (
+            "on_time",
+            all.of::<Time>(
+                "How long it is on for each sample; always unless said. Needs a `rate`.",
+            ),
+        ),
     ])
 }
 
@@ -359,6 +366,7 @@ fn model(all: &mut Definitions) -> Value {
     if let Some(usual) = all.parts.get_mut(&usual).and_then(Value::as_object_mut) {
         usual.remove("required");
     }
+    let battery = all.of::<BatteryParams>("What it runs on. Without it nothing runs out.");
     let by_name = |items: &Value| json!({ "type": "object", "additionalProperties": items });
     let common = |params: Value, used: Value| {
         let properties = entries([
@@ -379,6 +387,10 @@ fn model(all: &mut Definitions) -> Value {
             ),
             ("sensor", by_name(&sensor)),
             ("radio", json!({ "anyOf": [radio, by_name(&radio)] })),
+            (
+                "battery",
+                json!({ "anyOf": [{ "type": "string" }, battery] }),
+            ),
             (
                 "model",
                 json!({ "type": "array", "items": { "$ref": "#/$defs/model" } }),

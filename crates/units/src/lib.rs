@@ -55,7 +55,7 @@ pub use quantity::{
     Acceleration, Angle, AngularRate, Area, Charge, Circulation, Concentration, Current, DataRate,
     Decibels, Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity,
     MagneticField, Mass, MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate,
-    Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
+    Resistance, Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
 };
 pub use space::{
     Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, ImpulseVec, Mount, Offset, Pose, Position,

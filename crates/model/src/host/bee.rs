@@ -2,10 +2,11 @@
 
 use super::{Cx, Gear, Host, Platform};
 use crate::behavior::BuildError;
+use crate::energy::Condition;
 use crate::instance::Instance;
 use crate::vehicle::{AnyVehicle, Setpoint};
 use simbeeotic_physics::BodySpec;
-use simbeeotic_units::{Angle, Flu, Position, Time, Velocity};
+use simbeeotic_units::{Angle, Enu, Flu, Position, Time, Velocity};
 use std::ops::{Deref, DerefMut};
 
 /// Carries a behaviour through the air: a vehicle of the scenario's choice. Its behaviour sees a
@@ -47,8 +48,11 @@ impl Host for Flying {
     }
 
     fn control(&mut self, cx: Cx<'_>) {
-        self.vehicle
-            .control(&self.setpoint, &mut Platform::new(cx, &mut self.gear));
+        let platform = &mut Platform::new(cx, &mut self.gear);
+        match platform.condition() {
+            Condition::Fit => self.vehicle.control(&self.setpoint, platform),
+            condition => self.vehicle.control(&spent(condition, platform), platform),
+        }
     }
 
     fn touch(&self) -> u64 {
@@ -61,10 +65,25 @@ impl Host for Flying {
     }
 }
 
+/// What a vehicle does that is out of power, whatever its behaviour wants.
+#[cold]
+fn spent(condition: Condition, platform: &mut Platform<'_>) -> Setpoint {
+    let down_m_s = match platform.power() {
+        Some(power) if condition == Condition::Landing => power.battery().landing_m_s,
+        _ => 0.0,
+    };
+    let down = Velocity::<Enu>::from_xyz(0.0, 0.0, -down_m_s);
+    Setpoint {
+        velocity: platform.attitude().unrotate(down),
+        hovering: condition == Condition::Landing,
+    }
+}
+
 /// A vehicle in flight, as its behaviour sees it during one call.
 ///
 /// Set points hold until they are changed; the vehicle's control law follows them on its own
-/// clock. Turns take effect at once, and show in this call's compass.
+/// clock. Turns take effect at once, and show in this call's compass. While the vehicle is not
+/// [`Fit`](Condition::Fit) for want of power, neither does anything; set points are kept until it is.
 pub struct Bee<'a> {
     platform: Platform<'a>,
     vehicle: &'a mut dyn AnyVehicle,
@@ -75,12 +94,16 @@ impl Bee<'_> {
     /// Turns about the body's up axis, counter-clockwise seen from above.
     #[inline]
     pub fn turn(&mut self, angle: Angle) {
-        self.vehicle.turn(angle, &mut self.platform);
+        if self.platform.condition() == Condition::Fit {
+            self.vehicle.turn(angle, &mut self.platform);
+        }
     }
 
     /// Points the body's forward axis at a place.
     pub fn turn_toward(&mut self, point: Position) {
-        self.vehicle.turn_toward(point, &mut self.platform);
+        if self.platform.condition() == Condition::Fit {
+            self.vehicle.turn_toward(point, &mut self.platform);
+        }
     }
 
     /// Flies at `velocity`, in the body frame, from the next control step on.

@@ -20,6 +20,7 @@ mod entity;
 mod platform;
 mod sight;
 mod station;
+pub(crate) mod supply;
 
 pub use bee::{Bee, Flying};
 pub use bodiless::Bodiless;

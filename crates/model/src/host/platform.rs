@@ -2,7 +2,7 @@
 
 use super::{Cx, Entity};
 use crate::behavior::BuildError;
-use crate::energy::{Accounts, Consumer};
+use crate::energy::{Accounts, BatteryState, Books, Condition, Consumer, Effort, Onboard};
 use crate::instance::Instance;
 use crate::kit::RadioHandle;
 use crate::message::Touch;
@@ -12,8 +12,8 @@ use crate::swarm::Effect;
 use crate::timer::Call;
 use crate::view::Truth;
 use simbeeotic_kernel::ModelId;
-use simbeeotic_radio::{Command, Counters, RadioId, RadioState, Request, Ticket};
-use simbeeotic_units::{Charge, Mount, Time};
+use simbeeotic_radio::{Command, Counters, Inbox, RadioId, RadioState, Request, Ticket};
+use simbeeotic_units::{Charge, Current, Mount, Time};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
@@ -40,6 +40,8 @@ impl Gear {
 
     pub(crate) fn assemble(instance: &mut Instance<'_>) -> Result<Self, BuildError> {
         instance.add_radios()?;
+        let supply = instance.gear.supply.as_ref();
+        instance.onboard = Onboard::new(supply, instance.radios.len());
         Ok(Self {
             sensors: instance.sensors()?,
         })
@@ -89,6 +91,28 @@ impl<'a> Platform<'a> {
         })
     }
 
+    /// Tells the sensors that want to know what a radio heard.
+    pub(crate) fn heard(&mut self, inbox: Inbox<'_>) {
+        let cx = &*self.entity;
+        let Some(at) = cx.core.radios.iter().position(|id| *id == inbox.radio()) else {
+            return;
+        };
+        let gear = &cx.swarm.gear[cx.core.id.index()];
+        let Some(radio) = gear.radios.get(at) else {
+            return;
+        };
+        for sensor in &mut self.gear.sensors {
+            sensor.heard(&radio.name, inbox);
+        }
+        let spec = cx.swarm.medium.as_ref().map(|m| m.spec(inbox.radio()));
+        let (now, frames) = (cx.now(), inbox.iter().map(|p| p.payload().len()));
+        let bytes = frames.sum();
+        let onboard = self.entity.core.onboard.as_deref_mut();
+        if let (Some(spec), Some(original)) = (spec, onboard.and_then(|o| o.original.as_mut())) {
+            original.frames(at, spec, false, bytes, now);
+        }
+    }
+
     /// Tells the sensors of a touch.
     pub(crate) fn touched(&mut self, touch: &Touch) {
         for at in 0..self.gear.sensors.len() {
@@ -112,6 +136,7 @@ impl<'a> Platform<'a> {
             mount: Mount::IDENTITY,
             swarm: entity.swarm,
             watched: entity.swarm.watches(entity.id(), index),
+            core: &*entity.core,
             taken: None,
         };
         let answer = act(&mut *gear.sensors[usize::from(index)], &mut truth);
@@ -176,7 +201,15 @@ impl<'a> Platform<'a> {
         payload: &[u8],
         ticket: Option<Ticket>,
     ) {
+        let at = usize::from(radio.index);
         if let Some(radio) = self.radio_id(radio) {
+            let cx = &mut *self.entity;
+            let onboard = cx.core.onboard.as_deref_mut();
+            if let Some(original) = onboard.and_then(|onboard| onboard.original.as_mut())
+                && let Some(medium) = &cx.swarm.medium
+            {
+                original.frames(at, medium.spec(radio), true, payload.len(), cx.now);
+            }
             let request = Request {
                 radio,
                 destination,
@@ -196,10 +229,56 @@ impl<'a> Platform<'a> {
             .copied()
     }
 
-    /// Books `charge` on `consumer`.
+    /// Books `charge` on `consumer`, at once.
     #[inline]
     pub fn draw(&mut self, consumer: Consumer, charge: Charge) {
-        self.entity.core.accounts.draw(consumer, charge);
+        self.entity.core.drawn.draw(consumer, charge);
+    }
+
+    /// From now on `consumer` draws `current`, until it is told otherwise. What it draws is counted
+    /// without any event.
+    #[inline]
+    pub fn set_load(&mut self, consumer: Consumer, current: Current) {
+        let now = self.entity.now();
+        let core = &mut *self.entity.core;
+        if let Some(onboard) = &core.onboard {
+            if onboard.off.is_some() {
+                return;
+            }
+            if let Some(original) = &onboard.original {
+                return core.drawn.draw(consumer, original.ahead(current));
+            }
+        }
+        core.drawn.load(consumer, current, now);
+    }
+
+    /// Notes what the motors are asked for, if a sensor wants to know; `effort` is worked out only
+    /// then.
+    #[inline]
+    pub fn set_effort(&mut self, effort: impl FnOnce() -> Effort) {
+        if let Some(onboard) = &mut self.entity.core.onboard
+            && onboard.watched
+        {
+            onboard.effort = effort();
+        }
+    }
+
+    /// The battery as it truly is now; `None` if there is none on board.
+    pub fn battery(&self) -> Option<BatteryState> {
+        let cx = &*self.entity;
+        Some(cx.swarm.battery(cx.core, cx.now())?.0)
+    }
+
+    /// The energy that the battery gave and took up to now; `None` if there is none on board.
+    pub fn energy(&self) -> Option<Books> {
+        let cx = &*self.entity;
+        Some(cx.swarm.battery(cx.core, cx.now())?.1)
+    }
+
+    /// Whether it still does as its behaviour wants. Without a battery it always does.
+    pub fn condition(&self) -> Condition {
+        let onboard = self.entity.core.onboard.as_deref();
+        onboard.map_or(Condition::Fit, Onboard::condition)
     }
 
     /// What this platform has drawn up to now, its radios included.

@@ -2,7 +2,7 @@
 
 use super::setup::{Setup, SetupError, assemble};
 use crate::component::{Component, ComponentError};
-use crate::energy::{Accounts, Consumer};
+use crate::energy::{Accounts, BatteryState, Books, Consumer};
 use crate::population::Population;
 use crate::summary::{ChargeLine, Lateness, Packets, Summary, TimeShares};
 use crate::swarm::{Mark, Swarm, wake};
@@ -152,6 +152,13 @@ impl Simulation {
     pub fn accounts(&self, path: &str) -> Option<Accounts> {
         let id = self.population().find(path)?;
         Some(self.accounts_of(id))
+    }
+
+    /// The battery of the model at `path`, now, and its books; `None` if it has none.
+    pub fn battery(&self, path: &str) -> Option<(BatteryState, Books)> {
+        let id = self.population().find(path)?;
+        let core = &self.engine.agents()[id.index()].core;
+        self.engine.domain().battery(core, self.now())
     }
 
     /// The trace so far.
@@ -377,6 +384,7 @@ fn view<'a>(
     View {
         now,
         swarm: engine.domain(),
+        agents: engine.agents(),
         marks,
         origin,
     }

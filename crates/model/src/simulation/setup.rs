@@ -2,6 +2,7 @@
 
 use crate::component::Component;
 use crate::config::Fault;
+use crate::energy::{Consumer, Drawn, Onboard};
 use crate::instance::{GearPlan, Instance};
 use crate::message::Thing;
 use crate::population::{Member, Population};
@@ -10,10 +11,10 @@ use crate::swarm::{Agent, Core, MailRoom, Swarm};
 use crate::view::Origin;
 use simbeeotic_kernel::Stream;
 use simbeeotic_kernel::rng::path_key;
-use simbeeotic_kernel::{Limits, ModelId, Timers};
+use simbeeotic_kernel::{Limits, ModelId, SimTime, Timers};
 use simbeeotic_physics::{BodyError, Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
-use simbeeotic_units::Pose;
+use simbeeotic_units::{Current, Pose};
 use simbeeotic_world::{Gases, ObjectId, Weather, World};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
@@ -131,6 +132,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             medium: medium.as_mut(),
             body: None,
             radios: Vec::new(),
+            onboard: Onboard::default(),
         };
         let model = match plan.factory.build(&mut instance) {
             Ok(model) => model,
@@ -147,6 +149,16 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         }
         bodies.push(instance.body);
         keys.push(key);
+        let mut drawn = Drawn::default();
+        let onboard = instance.onboard;
+        for (consumer, current) in [Consumer::Sensors, Consumer::Avionics]
+            .into_iter()
+            .zip(onboard.constant)
+        {
+            if current > Current::ZERO {
+                drawn.load(consumer, current, SimTime::ZERO);
+            }
+        }
         let core = Core {
             id,
             body: instance.body,
@@ -154,7 +166,8 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             rng: Stream::keyed(seed, key, "behavior"),
             timers: Timers::new(),
             told: 0,
-            accounts: crate::energy::Accounts::default(),
+            drawn,
+            onboard: (!onboard.is_empty()).then(|| Box::new(onboard)),
         };
         agents.push(Agent { model, core });
     }

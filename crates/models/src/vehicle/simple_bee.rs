@@ -18,14 +18,14 @@
 
 use glam::DVec3;
 use simbeeotic_model::check::{at_least_zero, in_range, positive};
-use simbeeotic_model::kernel::{SimTime, Stream};
+use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::{BodySpec, Contacts, Material, Shape, group, limits};
 use simbeeotic_model::units::{
     Accel, Acceleration, Angle, Attitude, Current, Enu, Flu, Force, ForceVec, Length, Mass,
     Position, Rate, Time, V3, Velocity, Yaw, math,
 };
 use simbeeotic_model::{
-    BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
+    BuildError, Consumer, Effort, Platform, Setpoint, Vehicle, VehicleKit, choice, params, vehicle,
 };
 
 use super::outline::{Outline, depth_m};
@@ -39,11 +39,6 @@ pub struct SimpleBee {
     params: Arc<SimpleBeeParams>,
     first_control: Time,
     errors: Stream,
-    /// Since when the current force has been drawing charge.
-    since: SimTime,
-    /// Acceleration asked of the actuators at the last step, m/s².
-    effort_m_s2: f64,
-    hovering: bool,
 }
 
 /// Parameters of [`SimpleBee`].
@@ -207,9 +202,6 @@ impl Vehicle for SimpleBee {
             first_control: params.phase.first(params.control_period, clock),
             errors: kit.stream("actuation"),
             params,
-            since: SimTime::ZERO,
-            effort_m_s2: 0.0,
-            hovering: false,
         })
     }
 
@@ -226,8 +218,6 @@ impl Vehicle for SimpleBee {
     }
 
     fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
-        self.settle(platform);
-
         let mass = self.params.mass;
         let wind = if self.params.use_wind {
             self.wind_force(platform)
@@ -255,15 +245,26 @@ impl Vehicle for SimpleBee {
         } else {
             asked.limit(most)
         };
-        self.effort_m_s2 = size.min(most).metres_per_second_squared();
-        self.hovering = setpoint.hovering;
-        let weight = if setpoint.hovering {
-            mass * platform.gravity()
+        let gravity = platform.gravity();
+        let (hover, weight) = if setpoint.hovering {
+            (self.params.hover_current, mass * gravity)
         } else {
-            Force::ZERO
+            (Current::ZERO, Force::ZERO)
         };
         let weight = ForceVec::<Enu>::new(Force::ZERO, Force::ZERO, weight);
-        platform.set_force(effort * mass + weight + wind);
+        let thrust = effort * mass + weight;
+        platform.set_force(thrust + wind);
+
+        platform.set_load(Consumer::Hover, hover);
+        let share = size.min(most) / most;
+        platform.set_load(Consumer::Actuation, self.params.actuation_current * share);
+        platform.set_effort(|| {
+            let (most, thrust) = (mass * (most + gravity), thrust.length());
+            Effort {
+                thrust,
+                fraction: thrust / most,
+            }
+        });
     }
 
     fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
@@ -294,28 +295,9 @@ impl Vehicle for SimpleBee {
             platform.set_rate(Rate::ZERO);
         }
     }
-
-    fn finish(&mut self, _setpoint: &Setpoint, platform: &mut Platform<'_>) {
-        self.settle(platform);
-    }
 }
 
 impl SimpleBee {
-    /// Books the charge drawn since the last step.
-    fn settle(&mut self, platform: &mut Platform<'_>) {
-        let now = platform.now();
-        let span = Time::from_nanos(now.nanos_since(self.since) as f64);
-        self.since = now;
-        if self.hovering {
-            platform.draw(Consumer::Hover, self.params.hover_current * span);
-        }
-        let share = self.effort_m_s2 / self.params.max_acceleration.metres_per_second_squared();
-        platform.draw(
-            Consumer::Actuation,
-            self.params.actuation_current * span * share,
-        );
-    }
-
     /// Drag of the air that moves past the body: `½ ρ C_d A |u| u`, u relative to the body.
     fn wind_force(&self, platform: &Platform<'_>) -> ForceVec<Enu> {
         let u = (platform.wind() - platform.velocity()).si();
@@ -361,6 +343,7 @@ impl SimpleBee {
 mod tests {
     use super::*;
     use crate::trial::{NoParams, assert_normal, bee, run, vehicle};
+    use simbeeotic_model::kernel::SimTime;
     use simbeeotic_model::{Bee, Behavior, Kit, behavior};
 
     const DRAWS: usize = 10_000;
@@ -374,9 +357,6 @@ mod tests {
             }),
             first_control: Time::ZERO,
             errors: Stream::new(1, "bee", "actuation"),
-            since: SimTime::ZERO,
-            effort_m_s2: 0.0,
-            hovering: false,
         }
     }
 

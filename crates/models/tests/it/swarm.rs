@@ -7,7 +7,7 @@ use simbeeotic_model::radio::{Isotropic, Medium, SimpleConfig, SimpleMedium};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::units::{Attitude, Mount, Pose, Position};
 use simbeeotic_model::world::{Calm, Weather, World};
-use simbeeotic_model::{ModelPlan, Origin, Sampling, Setup, Simulation};
+use simbeeotic_model::{ModelPlan, Origin, Sampling, Setup, Simulation, Supply};
 // Brings the parts onto the shelf.
 use simbeeotic_models as _;
 use std::sync::Arc;
@@ -89,6 +89,7 @@ pub(crate) fn with_sensor_of(
         mount: Mount::IDENTITY,
         sampling: Sampling::default(),
         current: None,
+        on_time: None,
     };
     Arc::make_mut(&mut plan.gear).sensors.push(sensor);
     plan
@@ -100,6 +101,17 @@ pub(crate) fn mounted(mut plan: ModelPlan, mount: Mount, sampling: Sampling) -> 
     let sensors = &mut Arc::make_mut(&mut plan.gear).sensors;
     let sensor = sensors.last_mut().expect("a sensor on board");
     (sensor.mount, sensor.sampling) = (mount, sampling);
+    plan
+}
+
+/// Puts a battery on board: the keys of `[model.battery]`.
+#[allow(
+    dead_code,
+    reason = "some of the crates that share this file fly without"
+)]
+pub(crate) fn with_battery(mut plan: ModelPlan, keys: &[(&str, &str)]) -> ModelPlan {
+    let supply = Supply::read(&section(keys)).expect("good parameters");
+    Arc::make_mut(&mut plan.gear).supply = Some(Arc::new(supply));
     plan
 }
 

@@ -4,11 +4,11 @@ use super::section::{Section, read, table_help};
 use super::shared::choice;
 use super::{Choice, part};
 use crate::limit::MOUNT_M_MAX;
-use simbeeotic_model::config::{Fault, Node, Table};
+use simbeeotic_model::config::{Fault, Node, Table, Value};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
 use simbeeotic_model::registry::{Kind, Make};
-use simbeeotic_model::{BuildError, SamplePhase, Sampling};
+use simbeeotic_model::{BuildError, SamplePhase, Sampling, Supply};
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Angle, Attitude, Current, Frequency, Mount, Offset, Time, Yaw, math};
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// What a radio is called that stands alone.
 const RADIO: &str = "radio";
 
-/// Reads the keys `sensor` and `radio` of a model.
+/// Reads the keys `sensor`, `radio` and `battery` of a model.
 pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPlan {
     let mut gear = GearPlan::default();
     if let Some(node) = section.get("sensor") {
@@ -36,7 +36,24 @@ pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPl
             }
         }
     }
+    if let Some(node) = section.get("battery") {
+        gear.supply = supply(node, faults);
+    }
     gear
+}
+
+/// `[model.battery]`; a text in its place is the preset.
+fn supply(node: &Node, faults: &mut Vec<Fault>) -> Option<Arc<Supply>> {
+    let table = match node.as_str() {
+        Some(_) => {
+            let mut table = Table::default();
+            table.set("preset", node.clone());
+            Node::new(node.span, Value::Table(table))
+        }
+        None => node.clone(),
+    };
+    let supply = Supply::read(&table).map_err(|found| faults.extend(found));
+    supply.ok().map(Arc::new)
 }
 
 /// Whether a table has entries, and none that is a table itself.
@@ -110,6 +127,7 @@ fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan
         let message = format!("`current` must be zero or more, and is {current}");
         faults.push(Fault::error(node.span, message));
     }
+    let on_time = on_time(&mut section, faults);
     let part = part?;
     let params = section.rest(part, faults);
     let Make::Sensor(make) = part.make else {
@@ -122,7 +140,22 @@ fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan
         mount: mount?,
         sampling: sampling?,
         current,
+        on_time,
     })
+}
+
+/// `on_time = "20 ms"`: how long it is on for each sample.
+fn on_time(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Time> {
+    let on_time: Time = section.read("on_time", faults)?;
+    let node = section.get("on_time")?;
+    if on_time < Time::ZERO {
+        let message = format!("`on_time` must be zero or more, and is {on_time}");
+        faults.push(Fault::error(node.span, message));
+    } else if section.get("rate").is_none() {
+        let message = "`on_time` is the time of one sample, and needs a `rate`";
+        faults.push(Fault::error(node.span, message));
+    }
+    Some(on_time)
 }
 
 /// `rate = "50 Hz"`, `phase = "aligned"`, `"random"` or a time, `delay = "20 ms"`, `dropout = 0.01`.

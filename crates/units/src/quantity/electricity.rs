@@ -52,3 +52,11 @@ linear_quantity! {
         "mV": Scale::over(1e3) => from_millivolts, millivolts;
     }
 }
+
+linear_quantity! {
+    /// An electric resistance, inside in ohms.
+    Resistance = "a resistance" {
+        "ohm": Scale::ONE => from_ohms, ohms;
+        "mohm": Scale::over(1e3) => from_milliohms, milliohms;
+    }
+}

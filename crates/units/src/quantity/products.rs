@@ -2,7 +2,7 @@
 
 use super::{
     Acceleration, Angle, AngularRate, Area, Charge, Current, DataRate, Energy, Force, Frequency,
-    Impulse, Length, Mass, Power, Pressure, Speed, Time, Torque, Voltage,
+    Impulse, Length, Mass, Power, Pressure, Resistance, Speed, Time, Torque, Voltage,
 };
 use std::ops::{Div, Mul};
 
@@ -42,6 +42,7 @@ product!(Power * Time = Energy);
 product!(Current * Time = Charge);
 product!(Voltage * Current = Power);
 product!(Voltage * Charge = Energy);
+product!(Resistance * Current = Voltage);
 product!(Pressure * Area = Force);
 // Wavelength times frequency is the speed of the wave.
 product!(Length * Frequency = Speed);
