@@ -7,7 +7,7 @@ use crate::sees::SeesWhat;
 use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_physics::{BodyError, Motion};
+use simbeeotic_physics::{BodyError, Kind, Motion, Support};
 use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Rate, Twist, Velocity, glam,
 };
@@ -49,14 +49,26 @@ impl Truth<'_> {
         self.twist
     }
 
-    /// The host's acceleration in the world frame, gravity included.
+    /// The host's acceleration in the world frame, gravity included. In a heap, or against a wall, it is
+    /// the mean over a step of the contact's own clock, 1/240 s unless told otherwise.
     pub fn acceleration(&self) -> Accel<Enu> {
-        Accel::from_si(self.motion.acceleration())
+        Accel::from_si(self.accelerations().0)
+    }
+
+    /// Of the path and of the body rate. In a heap the segment is straight; physics knows what it hides.
+    fn accelerations(&self) -> (glam::DVec3, glam::DVec3) {
+        let m = self.motion;
+        match self.swarm.body_of(self.host) {
+            Some(body) if m.support() == Support::Island => {
+                self.swarm.physics.accelerations(body, self.now)
+            }
+            _ => (m.acceleration(), m.angular_acceleration(self.now)),
+        }
     }
 
     /// How the host's body rate changes, body frame, rad/s².
     pub fn angular_acceleration(&self) -> [f64; 3] {
-        self.motion.angular_acceleration(self.now).to_array()
+        self.accelerations().1.to_array()
     }
 
     /// The host's specific force in its body frame: what an accelerometer at the centre of mass
@@ -154,6 +166,12 @@ impl Truth<'_> {
     /// The twist of another model's body, as the instant began.
     pub fn twist_of(&self, id: ModelId) -> Option<Twist> {
         self.swarm.twist_of(id, self.now)
+    }
+
+    /// What another model's body counts as, for those who look: a vehicle, say. `None` if it has none.
+    pub fn kind_of(&self, id: ModelId) -> Option<Kind> {
+        let body = self.swarm.body_of(id)?;
+        Some(self.swarm.physics.kind(body))
     }
 
     /// The velocity of the place where the sensor sits, in the sensor's own frame.

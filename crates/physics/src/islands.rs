@@ -215,6 +215,32 @@ impl Islands {
         self.slot(id).map(|slot| &self.slots[slot as usize])
     }
 
+    /// How the velocity [ENU] and the rate of turn [ENU] of a member changed in its island's last step, per
+    /// second. 0 at rest, and before its first step.
+    pub(crate) fn change(&self, id: u32) -> Sweep {
+        let still = Sweep {
+            v: DVec3::ZERO,
+            w: DVec3::ZERO,
+        };
+        let Some(island) = self.island(id) else {
+            return still;
+        };
+        let member = island.position(id).map(|at| &island.members[at]);
+        let Some(led) = member.filter(|m| !m.resting).and_then(|m| m.led) else {
+            return still;
+        };
+        let [from, to] = led.span;
+        let span = seconds_between(from, to);
+        if span <= 0.0 {
+            return still;
+        }
+        let [before, after] = led.sweeps;
+        Sweep {
+            v: (after.v - before.v) / span,
+            w: (after.w - before.w) / span,
+        }
+    }
+
     /// Whether a body is in an island.
     pub(crate) fn is_member(&self, id: u32) -> bool {
         self.slot(id).is_some()

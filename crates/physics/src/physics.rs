@@ -14,6 +14,7 @@ use crate::queue::{GROUND, Queue};
 use crate::shape::Shape;
 use crate::shape::form::Form;
 use crate::statics::Statics;
+use crate::support::Support;
 use crate::tree::Bounds;
 use crate::walls::Walls;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -437,6 +438,23 @@ impl Physics {
     #[must_use]
     pub fn motion(&self, id: BodyId) -> &Motion {
         &self.motions[id.index()]
+    }
+
+    /// How the velocity of a body's centre [ENU, m/s^2] and its body rate [FLU, rad/s^2] change at `t`.
+    ///
+    /// That is what its segment says, but for a body in an island, whose segments are straight: there it
+    /// is the mean over the island's last step.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[must_use]
+    pub fn accelerations(&self, id: BodyId, t: SimTime) -> (glam::DVec3, glam::DVec3) {
+        let motion = self.motion(id);
+        if motion.support() == Support::Island {
+            let change = self.islands.change(id.0);
+            return (change.v, motion.attitude(t).conjugate() * change.w);
+        }
+        (motion.acceleration(), motion.angular_acceleration(t))
     }
 
     /// The outline of a body.

@@ -71,7 +71,7 @@ mod tests {
     use simbeeotic_model::units::{
         Angle, Attitude, Force, ForceVec, Mount, Offset, Rate, Time, Velocity, Yaw,
     };
-    use simbeeotic_model::world::World;
+    use simbeeotic_model::world::{Obstacle, World};
     use simbeeotic_model::{Bee, Handle};
 
     type Reader = Handle<Accel<Flu>>;
@@ -186,6 +186,40 @@ mod tests {
                 assert_near(felt(bee, sensor), DVec3::new(-0.5 * G, 0.0, G));
             } else if step > 5 {
                 assert_near(felt(bee, sensor), DVec3::Z * G);
+            }
+            step += 1;
+        });
+    }
+
+    #[test]
+    fn sliding_down_a_ramp_it_reads_what_holds_it_up_and_back() {
+        let mut trial = ideal();
+        let slope = Angle::from_degrees(45.0);
+        trial.world = World {
+            obstacles: vec![Obstacle {
+                attitude: Attitude::from_rpy(Angle::ZERO, slope, Yaw::new(Angle::ZERO)),
+                ..block([0.0, 0.0, 20.0], [100.0, 10.0, 1.0])
+            }],
+            ..World::default()
+        };
+        // Its surface passes through (0, 0, 20 + sqrt(2)); the bee starts 10 cm above.
+        trial.at = [0.0, 0.0, 20.0 + 2.0_f64.sqrt() + 0.1];
+        (trial.every, trial.seconds) = (Time::si(0.01), 3);
+        let (mut step, mut sum) = (0, DVec3::ZERO);
+        trial.run(move |bee, sensor: Reader| {
+            match step {
+                0 => bee.set_force(ForceVec::ZERO),
+                // It has come down, and slides: a second, some 7 m.
+                50..150 => sum += felt(bee, sensor),
+                150 => {
+                    // The ramp presses with g cos 45 deg, and friction 0.5 holds back with half of it.
+                    let cos = G / 2.0_f64.sqrt();
+                    let (up, back) = (DVec3::new(1.0, 0.0, 1.0), DVec3::new(-1.0, 0.0, 1.0));
+                    let want = (up + 0.5 * back).normalize() * cos * 1.25_f64.sqrt();
+                    let off = (sum / 100.0 - want).length();
+                    assert!(off < 0.02 * G, "{} for {want}", sum / 100.0);
+                }
+                _ => {}
             }
             step += 1;
         });

@@ -12,22 +12,50 @@ use simbeeotic_model::{ModelPlan, Origin, Sampling, Setup, Simulation, Supply};
 use simbeeotic_models as _;
 use std::sync::Arc;
 
-/// A section of a scenario.
+/// A section of a scenario. Text in brackets is a list: `[1 m, 2 m, 3 m]`.
 pub(crate) fn section(entries: &[(&str, &str)]) -> Node {
     let mut table = Table::default();
     for (key, text) in entries {
-        let value = match *text {
-            "true" => Value::Bool(true),
-            "false" => Value::Bool(false),
-            number if number.parse::<f64>().is_ok() => match number.parse::<i64>() {
-                Ok(whole) => Value::Integer(whole),
-                Err(_) => Value::Float(number.parse().expect("a number")),
-            },
-            text => Value::String(text.to_owned()),
-        };
-        table.set(key, Node::new(Span::default(), value));
+        table.set(key, value(text));
     }
     Node::new(Span::default(), Value::Table(table))
+}
+
+fn value(text: &str) -> Node {
+    let list = text.strip_prefix('[').and_then(|t| t.strip_suffix(']'));
+    let value = match text {
+        "true" => Value::Bool(true),
+        "false" => Value::Bool(false),
+        _ if list.is_some() => Value::Array(list.into_iter().flat_map(entries_of).collect()),
+        number if number.parse::<f64>().is_ok() => match number.parse::<i64>() {
+            Ok(whole) => Value::Integer(whole),
+            Err(_) => Value::Float(number.parse().expect("a number")),
+        },
+        text => Value::String(text.to_owned()),
+    };
+    Node::new(Span::default(), value)
+}
+
+/// What stands between the commas of a list, but for those of lists within.
+fn entries_of(list: &str) -> Vec<Node> {
+    let (mut depth, mut entries) = (0, vec![String::new()]);
+    for letter in list.chars() {
+        match letter {
+            '[' => depth += 1,
+            ']' => depth -= 1,
+            ',' if depth == 0 => {
+                entries.push(String::new());
+                continue;
+            }
+            _ => {}
+        }
+        entries.last_mut().expect("at least one").push(letter);
+    }
+    let entries = entries.iter().map(|entry| entry.trim());
+    entries
+        .filter(|entry| !entry.is_empty())
+        .map(value)
+        .collect()
 }
 
 /// A bee that flies `behavior` with these parameters, starting at a place.
