@@ -149,6 +149,11 @@ impl Material {
 }
 
 impl Dielectric {
+    /// Relative permittivity, equation 1: the square of how many times slower than light a wave goes in it.
+    pub fn permittivity(self, frequency: Frequency) -> f64 {
+        self.a * math::pow(frequency.get() * 1e-9, self.b)
+    }
+
     /// Equations 1 to 4.
     fn loss_db(self, ghz: f64, thick_m: f64) -> f64 {
         let permittivity = self.a * math::pow(ghz, self.b);

@@ -110,7 +110,7 @@ mod tests {
     use simbeeotic_model::Handle;
     use simbeeotic_model::units::glam::DVec3;
     use simbeeotic_model::units::{
-        Acceleration, Angle, AngularRate, Attitude, Mount, Offset, Time, Yaw,
+        Acceleration, Angle, AngularRate, Attitude, Mount, Offset, Time, Yaw, math,
     };
 
     type Reader = Handle<Inertial>;
@@ -249,7 +249,7 @@ mod tests {
         }
         assert_normal(&offsets, 0.0, 0.020);
         // 1 deg/s of offset, and 1 % of 10 rad/s.
-        assert_normal(&rates, 10.0, 1.0_f64.to_radians().hypot(0.1));
+        assert_normal(&rates, 10.0, math::hypot(1.0_f64.to_radians(), 0.1));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Things to look at, for the tests of sensors.
 
+use crate::trial::bee;
+use simbeeotic_model::ModelPlan;
 use simbeeotic_model::units::{Angle, Length, Position};
 use simbeeotic_model::world::{Obstacle, ObstacleShape};
 
@@ -16,4 +18,10 @@ pub(crate) fn block(at: [f64; 3], size: [f64; 3]) -> Obstacle {
         },
         ..Obstacle::default()
     }
+}
+
+/// A bee that hovers where it starts, its middle 5 cm above.
+pub(crate) fn still(name: &str, at: [f64; 3]) -> ModelPlan {
+    let nowhere = [("velocity", "[0 m/s, 0 m/s, 0 m/s]")];
+    bee(name, "cruise-bee", &nowhere, at)
 }

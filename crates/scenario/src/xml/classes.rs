@@ -220,7 +220,7 @@ const PLAIN_RADIO: &[Property] = &[
 ];
 
 const FLOW: &[Property] = &[
-    param("sigma", "sigma", As::Number),
+    set("sigma", "sigma", "rad/s"),
     set("min-range", "min_range", "m"),
     set("max-range", "max_range", "m"),
 ];
