@@ -3,7 +3,7 @@
 //! [`params`] makes a struct readable from a scenario: units, defaults, schema, unknown keys are
 //! errors. [`choice`] does the same for an enum. One attribute for each kind of part puts a type on the shelf under a name:
 //! [`behavior`], [`vehicle`], [`sensor`], [`radio`], [`antenna`], [`propagation`], [`weather`],
-//! [`component`]. The type's doc comment becomes the text of `simbeeotic describe`.
+//! [`generator`], [`component`]. The type's doc comment becomes the text of `simbeeotic describe`.
 //!
 //! ```ignore
 //! /// A bee that circles its start.
@@ -107,6 +107,10 @@ part_attribute!(
 part_attribute!(
     /// Registers a weather model under a name: `#[weather("constant-weather")]`.
     weather
+);
+part_attribute!(
+    /// Registers a rule that makes worlds under a name: `#[generator("maze")]`.
+    generator
 );
 part_attribute!(
     /// Registers a component under a name: `#[component("recorder")]`.

@@ -8,6 +8,7 @@ use crate::timer::Call;
 use simbeeotic_physics::BodyError;
 use simbeeotic_radio::RadioError;
 use simbeeotic_units::Time;
+use simbeeotic_world::generate::GenerateError;
 use std::sync::Arc;
 
 /// The box of parts a behaviour is built from.
@@ -116,6 +117,12 @@ fn on_board(names: &[String]) -> String {
         "nothing".to_owned()
     } else {
         list(names)
+    }
+}
+
+impl From<GenerateError> for BuildError {
+    fn from(error: GenerateError) -> Self {
+        Self::parameter(error.key, error.message)
     }
 }
 

@@ -60,7 +60,7 @@ pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use population::{Member, Population};
 pub use reading::{Column, Reading};
-pub use registry::{FromParams, Radio, Site};
+pub use registry::{FromParams, Generator, Radio, Site};
 pub use sampling::{Sample, SamplePhase, Sampling};
 pub use sees::SeesWhat;
 pub use sensor::{Handle, Needs, Sensor, Taken};
@@ -72,7 +72,8 @@ pub use vehicle::{Setpoint, Vehicle, VehicleKit};
 pub use view::{Origin, Truth, View};
 
 pub use simbeeotic_macros::{
-    antenna, behavior, choice, component, params, propagation, radio, sensor, vehicle, weather,
+    antenna, behavior, choice, component, generator, params, propagation, radio, sensor, vehicle,
+    weather,
 };
 
 pub use inventory;

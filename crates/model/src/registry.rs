@@ -20,7 +20,7 @@ use schemars::Schema;
 use simbeeotic_kernel::Stream;
 use simbeeotic_radio::{Antenna, Propagation, RadioSpec};
 use simbeeotic_units::Mount;
-use simbeeotic_world::Weather;
+use simbeeotic_world::{Weather, World};
 use std::any::TypeId;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -43,13 +43,15 @@ pub enum Kind {
     Propagation,
     /// `[weather] use = "..."`
     Weather,
+    /// `[world] generate = { use = "..." }`
+    Generator,
     /// `[[component]] use = "..."`
     Component,
 }
 
 impl Kind {
     /// All kinds, in the order of `simbeeotic list`.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Model,
         Self::Vehicle,
         Self::Sensor,
@@ -57,6 +59,7 @@ impl Kind {
         Self::Antenna,
         Self::Propagation,
         Self::Weather,
+        Self::Generator,
         Self::Component,
     ];
 
@@ -70,6 +73,7 @@ impl Kind {
             Self::Antenna => "antenna",
             Self::Propagation => "propagation",
             Self::Weather => "weather",
+            Self::Generator => "generator",
             Self::Component => "component",
         }
     }
@@ -159,6 +163,8 @@ pub enum Make {
     Propagation(Maker<Arc<dyn Propagation>>),
     /// Weather.
     Weather(SiteMaker<Arc<dyn Weather>>),
+    /// A world.
+    Generator(Maker<World>),
     /// A component.
     Component(Maker<Box<dyn Component>>),
 }
@@ -243,6 +249,22 @@ pub trait Radio: Sized + 'static {
     fn spec(params: Self::Params) -> Result<RadioSpec, BuildError>;
 }
 
+/// A rule that makes worlds: a function from its parameters, a seed among them, to a [`World`].
+/// Register it with `#[generator("name")]`.
+///
+/// The same parameters must give the same world. A parameter called `seed` is what `simbeeotic world
+/// KIND --seed N` sets.
+pub trait Generator: Sized + 'static {
+    /// What the scenario may set.
+    type Params: Params;
+
+    /// The world of these parameters.
+    ///
+    /// # Errors
+    /// Parameters out of range, by [`BuildError::parameter`].
+    fn generate(params: &Self::Params) -> Result<World, BuildError>;
+}
+
 impl Part {
     const fn new<P: Params>(label: Label, kind: Kind, make: Make) -> Self {
         Self {
@@ -291,6 +313,15 @@ impl Part {
         let make: SiteMaker<Arc<dyn Weather>> =
             |node, site| Ok(Arc::new(make_for_run::<W>(node, site)?));
         Self::new::<W::Params>(label, Kind::Weather, Make::Weather(make))
+    }
+
+    /// A rule that makes worlds. Called by `#[generator]`.
+    pub const fn generator<G: Generator>(label: Label) -> Self {
+        let make: Maker<World> = |node| {
+            let recipe = Recipe::<G::Params>::read(node)?;
+            G::generate(&recipe.params).map_err(|e| vec![recipe.place(e)])
+        };
+        Self::new::<G::Params>(label, Kind::Generator, Make::Generator(make))
     }
 
     /// A component. Called by `#[component]`.

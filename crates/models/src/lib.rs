@@ -8,6 +8,7 @@
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |
 //! | propagation | [`propagation::free_space`] |
+//! | generators of worlds | [`generator`] |
 //! | weather | [`weather::constant`], [`weather::atmosphere`] |
 //!
 //! A new part is one file in the folder of its kind and one `mod` line. Nothing here has a right
@@ -16,6 +17,7 @@
 
 pub mod antenna;
 pub mod behavior;
+pub mod generator;
 pub mod phase;
 pub mod propagation;
 pub mod radio;

@@ -24,9 +24,11 @@
 //!
 //! Reading order: [`load`] (the whole way), [`mod@toml`] and [`xml`] (text to tree), [`set`] (changes
 //! from the command line), [`variables`] (placeholders), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
-//! to text), [`schema`] (for editors), [`limit`] (how large an input may be).
+//! to text), [`schema`] (for editors), [`generate`] (worlds made
+//! by rule), [`limit`] (how large an input may be).
 
 mod files;
+pub mod generate;
 pub mod limit;
 pub mod load;
 pub mod plan;

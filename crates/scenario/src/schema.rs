@@ -252,9 +252,23 @@ fn channel(all: &mut Definitions) -> Value {
 
 fn world(all: &mut Definitions) -> Value {
     let inline = all.generator.subschema_for::<World>().to_value();
+    let rule = one_of(
+        all,
+        Kind::Generator,
+        &Map::new(),
+        "A rule that makes the world.",
+    );
     json!({
-        "description": "What stands in the world: the name of a world file, or the world itself.",
-        "anyOf": [{ "type": "string" }, inline],
+        "description": "What stands in the world: the name of a world file, the world itself, or a rule that makes it.",
+        "anyOf": [
+            { "type": "string" },
+            inline,
+            {
+                "type": "object",
+                "properties": { "generate": { "anyOf": [{ "type": "string" }, rule] } },
+                "required": ["generate"],
+            },
+        ],
     })
 }
 

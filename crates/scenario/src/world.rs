@@ -62,7 +62,9 @@ pub(crate) fn tree(
 pub(crate) fn is_world(root: &Node) -> bool {
     let schema = schemars::schema_for!(World);
     let known = schema.get("properties").and_then(|p| p.as_object());
-    let has = |key: &str| known.is_some_and(|known| known.contains_key(key));
+    let has = |key: &str| {
+        key == crate::generate::GENERATE || known.is_some_and(|known| known.contains_key(key))
+    };
     root.as_table().is_some_and(|table| {
         table.keys().any(has) && ["run", "model"].iter().all(|key| table.get(key).is_none())
     })
@@ -70,6 +72,7 @@ pub(crate) fn is_world(root: &Node) -> bool {
 
 /// The world in a tree, if everything in it can be. Files that it names are looked for in `folder`.
 pub(crate) fn check(node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Option<World> {
+    let node = &*crate::generate::expand(node, faults)?;
     let mut world: World = match read_params(node) {
         Ok(world) => world,
         Err(_) => {

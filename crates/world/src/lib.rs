@@ -27,14 +27,16 @@
 //! [`structure`], [`flower`], [`person`], [`terrain`] (what stands in it), [`mesh`] (shapes of points),
 //! [`surface`] and [`material`] (how it feels, what it is made of), [`spawn`] (where to start, places
 //! with a name), [`solid`] (the primitives), [`within`] (what is near), [`check`] (what cannot be),
-//! [`spelling`] (what files may say in two ways), [`weather`] (the air), [`light`], [`plume`] and [`puff`] (lamps and gases), [`field`] (what there is of
-//! them at a place).
+//! [`spelling`] (what files may say in two ways), [`weather`] (the air), [`light`],
+//! [`plume`] and [`puff`] (lamps and gases), [`field`] (what there is of them at a place), [`generate`]
+//! (worlds by rule).
 
 pub mod check;
 mod cut;
 pub mod field;
 pub mod flower;
 pub mod gas;
+pub mod generate;
 pub mod light;
 pub mod look;
 pub mod material;

@@ -30,6 +30,7 @@ mod start;
 pub use group::Group;
 pub use physics::PhysicsParams;
 pub use run::{Pace, Run};
+pub(crate) use shared::choice;
 pub use shared::{Channel, MediumKind};
 
 use crate::variables::Variables;

@@ -208,7 +208,7 @@ pub(super) fn world(node: Option<&Node>, cx: &mut Context<'_>) -> Option<World> 
 }
 
 /// A part in the place of a value: its name, or a table with `use` and its parameters.
-pub(super) fn choice(node: &Node, kind: Kind, faults: &mut Vec<Fault>) -> Option<Choice> {
+pub(crate) fn choice(node: &Node, kind: Kind, faults: &mut Vec<Fault>) -> Option<Choice> {
     match &node.value {
         Value::String(_) => {
             let part = named(node, kind, faults)?;

@@ -36,7 +36,7 @@ pub(super) enum Command {
     /// List the parts that a scenario can name
     List {
         /// Only parts of this kind: model, vehicle, sensor, radio, antenna, propagation, weather,
-        /// component
+        /// generator, component
         kind: Option<String>,
         /// As JSON
         #[arg(long)]
@@ -69,6 +69,9 @@ pub(super) enum Command {
     /// Write a recording's positions, velocities and attitudes as a table
     #[command(after_help = EXPORT_COLUMNS)]
     Export(ExportOptions),
+    /// Write a world made by rule: maze, office, mine, forest, city, warehouse
+    #[command(after_help = WORLD_EXAMPLES, disable_help_flag = true)]
+    World(WorldOptions),
     /// Measure this machine with the paper's experiments
     #[command(subcommand)]
     Bench(Experiment),
@@ -89,6 +92,17 @@ const EXPORT_COLUMNS: &str = "\
 Columns: time_s, time_ns, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
 (velocity, ENU), qw, qx, qy, qz (attitude, world_from_body), wx_rad_s, wy_rad_s, wz_rad_s (body
 rates, FLU). One row for each model and tick.";
+
+const WORLD_EXAMPLES: &str = "\
+Examples:
+  simbeeotic world list
+  simbeeotic world maze --help                   its parameters, with units and defaults
+  simbeeotic world maze --seed 3 --set columns=20 --set cell=\"2 m\" -o maze.toml
+  simbeeotic world maze -o - | less
+
+A scenario uses the file by `world = \"maze.toml\"`, or makes the same world itself:
+  [world]
+  generate = { use = \"maze\", seed = 3, columns = 20, cell = \"2 m\" }";
 
 /// Stands for the recording's own name, ending in `.parquet`.
 pub(super) const BESIDE: &str = "<beside the recording>";
@@ -152,6 +166,30 @@ pub(super) struct ConvertOptions {
     /// File to write [default: standard output; the world goes beside it]
     #[arg(long, short, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct WorldOptions {
+    /// The kind of world; or `list`, which lists them; or `describe` and a kind
+    pub(super) kind: Option<String>,
+    /// The kind to describe
+    #[arg(hide = true)]
+    pub(super) name: Option<String>,
+    /// The seed: another seed, another world of this kind [default: 1]
+    #[arg(long, allow_negative_numbers = true)]
+    pub(super) seed: Option<i64>,
+    /// Set a parameter of the kind; may be given many times
+    #[arg(long = "set", value_name = "PARAMETER=VALUE")]
+    pub(super) sets: Vec<String>,
+    /// File to write, or - for standard output [default: standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub(super) force: bool,
+    /// Print help; with a kind, its parameters
+    #[arg(long, short)]
+    pub(super) help: bool,
 }
 
 #[derive(Args)]

@@ -1,5 +1,5 @@
 //! The program: `simbeeotic run`, `check`, `list`, `describe`, `schema`, `new`, `convert`,
-//! `export`, `bench`.
+//! `export`, `world`, `bench`.
 //!
 //! A crate with parts of its own gets all of it by a `main` of one line:
 //!
@@ -20,6 +20,7 @@ mod new;
 mod run;
 mod shelf;
 mod show;
+mod world;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -50,6 +51,7 @@ pub fn main() -> ExitCode {
         } => new::new(&name, path.as_deref(), library.as_deref()),
         Command::Convert(options) => convert::convert(&options),
         Command::Export(options) => export::export(&options),
+        Command::World(options) => world::world(&options),
         Command::Bench(experiment) => bench::bench(&experiment),
     };
     match result {

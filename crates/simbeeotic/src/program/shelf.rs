@@ -101,6 +101,18 @@ pub(super) fn describe(name: &str, json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Describes the part of one kind called `name`.
+pub(super) fn describe_kind(kind: Kind, name: &str) -> Result<(), Failure> {
+    let named = Node::string(simbeeotic_model::config::Span::default(), name);
+    match registry::find_node(kind, &named) {
+        Ok(part) => say(page(part)),
+        Err(fault) => {
+            let help = fault.help.as_deref().unwrap_or("");
+            Err(Failure::input(format!("{fault}; {help}")))
+        }
+    }
+}
+
 /// The section that is described as parts are.
 const PHYSICS: &str = "physics";
 

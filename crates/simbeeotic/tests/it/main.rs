@@ -7,3 +7,4 @@ mod determinism;
 mod golden;
 mod program;
 mod shelf;
+mod world;
