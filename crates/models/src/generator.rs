@@ -1,7 +1,7 @@
 //! Worlds made by rule, as parts: what they do stands in [`simbeeotic_model::world::generate`].
 
 use simbeeotic_model::world::World;
-use simbeeotic_model::world::generate::{self, MazeParams};
+use simbeeotic_model::world::generate::{self, CityParams, MazeParams, WarehouseParams};
 use simbeeotic_model::{BuildError, Generator, generator};
 
 /// A maze: cells between walls, floor upon floor.
@@ -17,5 +17,35 @@ impl Generator for Maze {
 
     fn generate(params: &MazeParams) -> Result<World, BuildError> {
         Ok(generate::maze(params)?)
+    }
+}
+
+/// A city: blocks between streets, houses on plots, parks with trees, lamps.
+///
+/// Every street is free from end to end. Houses are labelled `house` and `tower`, with their `block`
+/// as metadata; each crossing is a place; vehicles start in the area `crossing`.
+#[generator("city")]
+pub struct City;
+
+impl Generator for City {
+    type Params = CityParams;
+
+    fn generate(params: &CityParams) -> Result<World, BuildError> {
+        Ok(generate::city(params)?)
+    }
+}
+
+/// A warehouse: racks with boxes between aisles, in a hall with gates.
+///
+/// Every aisle is reached from outside. Racks and boxes have their `aisle`, `side`, `bay` and `level`
+/// as metadata; each aisle is a place; vehicles start in the area `dock`, inside the gates.
+#[generator("warehouse")]
+pub struct Warehouse;
+
+impl Generator for Warehouse {
+    type Params = WarehouseParams;
+
+    fn generate(params: &WarehouseParams) -> Result<World, BuildError> {
+        Ok(generate::warehouse(params)?)
     }
 }

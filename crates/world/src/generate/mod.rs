@@ -27,13 +27,17 @@
 //! finds by search.
 
 mod check;
+pub mod city;
 mod distance;
 mod draft;
 mod fingerprint;
 pub mod maze;
 pub mod reach;
+pub mod warehouse;
 
 pub use check::GenerateError;
+pub use city::{CityParams, city};
 pub use fingerprint::fingerprint;
 pub use maze::{MazeParams, maze};
 pub use reach::{Reach, ReachError, Search, reachable};
+pub use warehouse::{WarehouseParams, warehouse};
