@@ -15,6 +15,7 @@ use crate::instance::GearPlan;
 use crate::message::{Message, Thing, Touch};
 use crate::model::{Model, Wake as ModelWake};
 use crate::population::Population;
+use crate::scene::Look;
 use crate::sensor::Taken;
 use crate::timer::TimerHandle;
 use simbeeotic_kernel::{
@@ -181,6 +182,8 @@ pub struct Swarm {
     pub(crate) bodies: Vec<Option<BodyId>>,
     /// What each body is: first those of models, then the objects of the world.
     pub(crate) owners: Vec<Thing>,
+    /// How the bodies of the world's objects look: the last of all bodies, in their order.
+    pub(crate) looks: Vec<Look>,
     /// Messages under way.
     pub(crate) mail: MailRoom,
     /// Contacts resolved in this round.

@@ -3,6 +3,7 @@
 use crate::energy::{Battery, BatteryState, Effort};
 use crate::host::{Ray, Seen};
 use crate::population::Population;
+use crate::scene::Scene;
 use crate::sees::SeesWhat;
 use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
@@ -195,6 +196,15 @@ impl Truth<'_> {
         self.swarm.cast_rays(rays, self.now, what, host)
     }
 
+    /// What there is to be seen, for a camera: all but the host itself.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene {
+            now: self.now,
+            swarm: self.swarm,
+            but: self.swarm.body_of(self.host),
+        }
+    }
+
     /// The world's objects.
     pub fn world(&self) -> &World {
         &self.swarm.world
@@ -243,6 +253,15 @@ impl<'a> View<'a> {
     /// The world's objects.
     pub fn world(&self) -> &'a World {
         &self.swarm.world
+    }
+
+    /// What there is to be seen, for a picture of it.
+    pub fn scene(&self) -> Scene<'a> {
+        Scene {
+            now: self.now,
+            swarm: self.swarm,
+            but: None,
+        }
     }
 
     /// The names of a model's sensors, in the scenario's order.

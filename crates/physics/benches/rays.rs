@@ -13,8 +13,8 @@
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use simbeeotic_kernel::{SimTime, rng::Stream};
 use simbeeotic_physics::{BodySpec, Config, Fan, Hit, Kind, Mobility, Physics, Ray, Sees, Shape};
-use simbeeotic_units::Attitude;
 use simbeeotic_units::glam::{DQuat, DVec3};
+use simbeeotic_units::{Angle, Attitude, Yaw};
 use std::cell::RefCell;
 use std::hint::black_box;
 
@@ -181,6 +181,10 @@ fn near(c: &mut Criterion) {
     group.finish();
 }
 
+fn yaw(angle: f64) -> DQuat {
+    Attitude::from_yaw(Yaw::new(Angle::si(angle))).quat()
+}
+
 /// A body that stands on the ground, somewhere in a square of 100 m.
 fn standing(shape: Shape, height_m: f64, kind: Kind, stream: &mut Stream) -> BodySpec {
     let place = DVec3::new(
@@ -188,7 +192,7 @@ fn standing(shape: Shape, height_m: f64, kind: Kind, stream: &mut Stream) -> Bod
         stream.uniform_in(-50.0..50.0),
         0.5 * height_m,
     );
-    let yaw = DQuat::from_rotation_z(stream.uniform_in(0.0..6.0));
+    let yaw = yaw(stream.uniform_in(0.0..6.0));
     BodySpec {
         p_enu: place,
         attitude: Attitude::from_unit_quat(yaw),
@@ -351,12 +355,20 @@ fn ring(c: &mut Criterion) {
     let rays = bees.iter().flat_map(|p| {
         (0..8).map(|k| Ray {
             origin_enu: *p,
-            direction_enu: DQuat::from_rotation_z(f64::from(k) * 0.785) * DVec3::X,
+            direction_enu: yaw(f64::from(k) * 0.785) * DVec3::X,
             range_m: 4.0,
         })
     });
     let mut scene = Scene::of(physics, rays.collect());
     group.bench_function("8", |b| b.iter(|| scene.look()));
+    group.bench_function("8/alone", |b| {
+        b.iter(|| {
+            for ray in &scene.rays {
+                let hit = scene.physics.cast_ray(ray, scene.now, &Sees::default());
+                black_box(hit.expect("the rays are finite"));
+            }
+        });
+    });
     group.finish();
 }
 

@@ -167,12 +167,12 @@ impl Physics {
             // One that is no number is not even like itself; it is refused.
             let run = rest.take_while(|other| belongs(ray, other)).count().max(1);
             room.clear();
-            for place in begin..begin + run {
+            for (place, ray) in (begin..).zip(&rays[begin..begin + run]) {
                 let Ray {
                     origin_enu,
                     direction_enu,
                     range_m,
-                } = rays[place];
+                } = *ray;
                 match Line::new(origin_enu, direction_enu, range_m) {
                     Ok(line) => {
                         room.directions.push(line.direction);

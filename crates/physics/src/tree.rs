@@ -164,14 +164,13 @@ impl Beam {
     #[inline]
     fn passes(&self, boxes: &Boxes, range: f64) -> ([f64; 4], [f64; 4]) {
         let (mut begin, mut end) = ([0.0; 4], [range; 4]);
-        for k in 0..3 {
+        for (sides, (axis, from)) in boxes.iter().zip(self.axes.iter().zip(self.from)) {
             let Spread {
                 inverse: [one, two],
                 enters,
                 leaves,
-            } = self.axes[k];
-            let from = self.from[k];
-            let (first, second) = (&boxes[k][enters[0]], &boxes[k][enters[1]]);
+            } = *axis;
+            let (first, second) = (&sides[enters[0]], &sides[enters[1]]);
             let straddles = leaves.is_none();
             for i in 0..4 {
                 let (a, b) = ((first[i] - from) * one, (second[i] - from) * two);
@@ -180,7 +179,7 @@ impl Beam {
                 begin[i] = if enters > begin[i] { enters } else { begin[i] };
             }
             if let Some(side) = leaves {
-                let last = &boxes[k][side];
+                let last = &sides[side];
                 for i in 0..4 {
                     let (a, b) = ((last[i] - from) * one, (last[i] - from) * two);
                     let leaves = if a > b { a } else { b };

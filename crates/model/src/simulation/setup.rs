@@ -7,6 +7,7 @@ use crate::instance::{GearPlan, Instance};
 use crate::message::Thing;
 use crate::population::{Member, Population};
 use crate::registry::{ModelFactory, VehicleFactory};
+use crate::scene::Look;
 use crate::swarm::{Agent, Core, MailRoom, Swarm};
 use crate::view::Origin;
 use simbeeotic_kernel::Stream;
@@ -15,7 +16,7 @@ use simbeeotic_kernel::{Limits, ModelId, SimTime, Timers};
 use simbeeotic_physics::{BodyError, Config as PhysicsConfig, Physics};
 use simbeeotic_radio::Medium;
 use simbeeotic_units::{Current, Pose};
-use simbeeotic_world::{Gases, ObjectId, Weather, World};
+use simbeeotic_world::{Gases, ObjectId, ObjectKind, Weather, World};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -175,7 +176,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         return Err(SetupError::Models(faults));
     }
     check_keys(&keys, &population)?;
-    add_objects(&setup.world, seed, &mut physics, &mut owners)?;
+    let looks = add_objects(&setup.world, seed, &mut physics, &mut owners)?;
     let swarm = Swarm {
         physics,
         gravity: setup.physics.gravity,
@@ -187,6 +188,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         keys,
         bodies,
         owners,
+        looks,
         mail: MailRoom::default(),
         contacts: Vec::new(),
         touches: Vec::new(),
@@ -204,23 +206,31 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
     Ok((swarm, agents))
 }
 
-/// Puts the objects of the world in their places, after all models: those keep their ids.
+/// Puts the objects of the world in their places, after all models: those keep their ids. Tells how the
+/// body of each looks.
 fn add_objects(
     world: &World,
     seed: u64,
     physics: &mut Physics,
     owners: &mut Vec<Thing>,
-) -> Result<(), SetupError> {
+) -> Result<Vec<Look>, SetupError> {
+    let (mut looks, mut flowers) = (Vec::new(), 0);
     for object in world.objects(seed) {
         let id = object.id;
+        let mut number = id.index;
+        if id.kind == ObjectKind::Flower {
+            (number, flowers) = (flowers, flowers + 1);
+        }
+        let color = object.color;
         for body in crate::objects::bodies(&object) {
             physics
                 .add(body)
                 .map_err(|fault| SetupError::Object { object: id, fault })?;
             owners.push(Thing::Object(id));
+            looks.push(Look { color, number });
         }
     }
-    Ok(())
+    Ok(looks)
 }
 
 /// Chance and traces hang on the keys of paths: no two may be the same.

@@ -2,6 +2,7 @@
 
 pub mod accelerometer;
 pub mod altimeter;
+pub mod camera;
 pub mod compass;
 pub mod contact;
 mod echo;

@@ -12,11 +12,21 @@ use simbeeotic_model::{ModelPlan, Origin, Sampling, Setup, Simulation, Supply};
 use simbeeotic_models as _;
 use std::sync::Arc;
 
-/// A section of a scenario. Text in brackets is a list: `[1 m, 2 m, 3 m]`.
+/// A section of a scenario. Text in brackets is a list: `[1 m, 2 m, 3 m]`; a key with a dot in it stands
+/// in a table within.
 pub(crate) fn section(entries: &[(&str, &str)]) -> Node {
     let mut table = Table::default();
     for (key, text) in entries {
-        table.set(key, value(text));
+        match key.split_once('.') {
+            None => table.set(key, value(text)),
+            Some((outer, _)) => {
+                let within = entries.iter().filter_map(|(key, text)| {
+                    let (other, inner) = key.split_once('.')?;
+                    (other == outer).then_some((inner, *text))
+                });
+                table.set(outer, section(&within.collect::<Vec<_>>()));
+            }
+        }
     }
     Node::new(Span::default(), Value::Table(table))
 }

@@ -107,7 +107,7 @@ fn crowd(stream: &mut Stream, count: u32, centre: DVec3, ground: bool) -> Physic
         physics.add(below).unwrap();
         let slope = BodySpec {
             shape: Shape::Plane,
-            attitude: Attitude::from_unit_quat(DQuat::from_rotation_x(0.3)),
+            attitude: Attitude::from_unit_quat(DQuat::from_xyzw(0.15, 0.0, 0.0, 1.0).normalize()),
             p_enu: centre - DVec3::Z * 12.0,
             inertia_kg_m2: DVec3::ONE,
             mobility: Mobility::Fixed,
@@ -172,7 +172,7 @@ fn look_around(centre: DVec3, ground: bool) {
         let axes = match step % 3 {
             // Along an axis: many directions have zeros in them.
             0 => DQuat::IDENTITY,
-            1 => DQuat::from_rotation_z(0.5) * DQuat::from_rotation_y(0.4),
+            1 => DQuat::from_xyzw(0.0, 0.2, 0.25, 1.0).normalize(),
             _ => turn(&mut stream),
         };
         let directions = grid(axes, 37, 13, half);
