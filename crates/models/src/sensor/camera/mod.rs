@@ -105,7 +105,6 @@ impl CameraDevice {
                 depth_growth: 7e-3,
                 depth_step: Length::si(1e-3),
                 current: Current::si(0.095),
-                ..plain
             },
         }
     }
