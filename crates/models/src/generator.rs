@@ -1,7 +1,9 @@
 //! Worlds made by rule, as parts: what they do stands in [`simbeeotic_model::world::generate`].
 
 use simbeeotic_model::world::World;
-use simbeeotic_model::world::generate::{self, CityParams, MazeParams, WarehouseParams};
+use simbeeotic_model::world::generate::{
+    self, CityParams, MazeParams, MineParams, WarehouseParams,
+};
 use simbeeotic_model::{BuildError, Generator, generator};
 
 /// A maze: cells between walls, floor upon floor.
@@ -47,5 +49,20 @@ impl Generator for Warehouse {
 
     fn generate(params: &WarehouseParams) -> Result<World, BuildError> {
         Ok(generate::warehouse(params)?)
+    }
+}
+
+/// A mine: a shaft through levels, tunnels that branch, chambers, frames, people.
+///
+/// Everything open is reached from the shaft, the only way in. People are labelled `miner`, with a
+/// `person-id` as metadata; the ends of tunnels are places; vehicles start in the area `shaft`.
+#[generator("mine")]
+pub struct Mine;
+
+impl Generator for Mine {
+    type Params = MineParams;
+
+    fn generate(params: &MineParams) -> Result<World, BuildError> {
+        Ok(generate::mine(params)?)
     }
 }

@@ -32,6 +32,7 @@ mod distance;
 mod draft;
 mod fingerprint;
 pub mod maze;
+pub mod mine;
 pub mod reach;
 pub mod warehouse;
 
@@ -39,5 +40,6 @@ pub use check::GenerateError;
 pub use city::{CityParams, city};
 pub use fingerprint::fingerprint;
 pub use maze::{MazeParams, maze};
+pub use mine::{MineParams, mine};
 pub use reach::{Reach, ReachError, Search, reachable};
 pub use warehouse::{WarehouseParams, warehouse};
