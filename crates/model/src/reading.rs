@@ -2,9 +2,10 @@
 
 use crate::image::Image;
 use simbeeotic_units::{
-    Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Density, Energy, Force,
-    Frame, Frequency, Heading, Length, MagneticField, Pose, Power, PowerLevel, Pressure, Quantity,
-    Resistance, Speed, Temperature, Time, Torque, Twist, V3, VectorQuantity, Voltage,
+    Acceleration, Angle, AngularRate, Attitude, Charge, Concentration, Current, Decibels, Density,
+    Energy, Force, Frame, Frequency, Heading, Illuminance, Length, MagneticField, Pose, Power,
+    PowerLevel, Pressure, Quantity, RainRate, Resistance, Speed, Temperature, Time, Torque, Twist,
+    V3, VectorQuantity, Voltage,
 };
 
 /// One column of a recorded reading.
@@ -75,17 +76,20 @@ one_number!(
     Angle,
     AngularRate,
     Charge,
+    Concentration,
     Current,
     Decibels,
     Density,
     Energy,
     Force,
     Frequency,
+    Illuminance,
     Length,
     MagneticField,
     Power,
     PowerLevel,
     Pressure,
+    RainRate,
     Resistance,
     Speed,
     Temperature,

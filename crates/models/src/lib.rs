@@ -3,8 +3,8 @@
 //! | kind | parts |
 //! |---|---|
 //! | vehicles | [`vehicle::simple_bee`] |
-//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`] |
-//! | sensors | [`sensor::compass`], [`sensor::position`] |
+//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`], [`behavior::balloon`], [`behavior::scent`] |
+//! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`] |
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |
 //! | propagation | [`propagation::free_space`] |
@@ -15,6 +15,7 @@
 //! that a user's own crate has not: each part is written against `simbeeotic-model` alone and
 //! registers itself by its attribute.
 
+pub mod aerodynamics;
 pub mod antenna;
 pub mod behavior;
 pub mod generator;

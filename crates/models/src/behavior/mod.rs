@@ -1,9 +1,11 @@
 //! Behaviours: what vehicles and stations do.
 
+pub mod balloon;
 pub mod broadcast;
 pub mod cruise;
 pub mod hive;
 pub mod inert;
 pub mod instrument;
 pub mod random_walk;
+pub mod scent;
 mod walk;

@@ -2,6 +2,7 @@
 
 pub mod accelerometer;
 pub mod altimeter;
+pub mod barometer;
 pub mod camera;
 pub mod compass;
 pub mod contact;
@@ -15,6 +16,7 @@ pub mod imu;
 pub mod inertial;
 pub mod lidar;
 pub mod lidar_3d;
+pub mod light;
 mod line;
 pub mod magnetometer;
 pub mod mocap;
@@ -32,6 +34,7 @@ pub mod scan;
 #[cfg(test)]
 mod scene;
 pub mod sighting;
+pub mod smell;
 pub mod uwb;
 pub mod velocity;
 pub mod vl53l1x;

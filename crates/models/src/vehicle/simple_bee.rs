@@ -29,6 +29,7 @@ use simbeeotic_model::{
 };
 
 use super::outline::{Outline, depth_m};
+use crate::aerodynamics::Drag;
 use crate::phase::Phase;
 use std::sync::Arc;
 
@@ -298,13 +299,20 @@ impl Vehicle for SimpleBee {
 }
 
 impl SimpleBee {
-    /// Drag of the air that moves past the body: `½ ρ C_d A |u| u`, u relative to the body.
+    /// Drag of the air that moves past the body, `½ ρ C_d A |u| u` with u relative to the body; of a
+    /// body so light that this would turn it back within a step, no more than what stops it.
     fn wind_force(&self, platform: &Platform<'_>) -> ForceVec<Enu> {
-        let u = (platform.wind() - platform.velocity()).si();
-        let radius = 0.5 * self.params.length.metres();
-        let area = std::f64::consts::PI * radius * radius;
-        let density = platform.air_density().get();
-        ForceVec::from_si(u * (0.5 * density * self.params.drag_coefficient * area * u.length()))
+        let p = &self.params;
+        let past = platform.wind() - platform.velocity();
+        let drag = Drag::of_disc(p.drag_coefficient, p.length);
+        let force = drag.force(past, platform.air_density());
+        let stops = past.si().length() * p.mass.get() / p.control_period.get();
+        let size = force.si().length();
+        if size > stops {
+            force * (stops / size)
+        } else {
+            force
+        }
     }
 
     /// What is really flown when `wanted` is asked for.
@@ -358,6 +366,55 @@ mod tests {
             first_control: Time::ZERO,
             errors: Stream::new(1, "bee", "actuation"),
         }
+    }
+
+    /// Speed of a bee that lets itself go, after some seconds.
+    fn let_go(gear: &[(&str, &str)], up: f64, wind: [f64; 3], seconds: u64) -> DVec3 {
+        use crate::weather::constant::{ConstantWeather, ConstantWeatherParams};
+        use simbeeotic_model::{FromParams, Setup, Simulation};
+        let wind = Velocity::from_xyz(wind[0], wind[1], wind[2]);
+        let weather = ConstantWeather::from_params(ConstantWeatherParams { wind });
+        let plan = vehicle("bee", "inert-bee", &[], gear, [0.0, 0.0, up]);
+        let setup = Setup {
+            weather: Arc::new(weather.expect("good numbers")),
+            ..crate::trial::setup(vec![plan], seconds)
+        };
+        let mut run = Simulation::new(setup).expect("it can be put together");
+        run.run_until(SimTime::from_secs(seconds)).expect("it runs");
+        run.twist("bee").expect("a body").linear.si()
+    }
+
+    /// `v = sqrt(2 m g / (rho C_d A))`, rho of the standard atmosphere where it is then.
+    #[test]
+    fn what_falls_through_still_air_ends_at_its_terminal_speed_for_the_density_there() {
+        let gear = [
+            ("use_wind", "true"),
+            ("drag_coefficient", "1.2"),
+            ("mass", "20 g"),
+        ];
+        for (up, density) in [(1_080.0, 1.112), (3_080.0, 0.909)] {
+            let v = let_go(&gear, up, [0.0; 3], 12);
+            let area = std::f64::consts::PI * 0.05 * 0.05;
+            let terminal = (2.0 * 0.02 * 9.81 / (density * 1.2 * area)).sqrt();
+            assert!((v.z / -terminal - 1.0).abs() < 0.01, "{v}, {terminal}");
+            // With wind it falls as fast through the air that moves.
+            let blown = let_go(&gear, up, [6.0, 0.0, 0.0], 12);
+            assert!(
+                (blown.x - 6.0).abs() < 0.02 && (blown.z / v.z - 1.0).abs() < 0.01,
+                "{blown}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_bee_as_light_as_a_feather_is_carried_and_not_thrown_about() {
+        let gear = [
+            ("use_wind", "true"),
+            ("mass", "0.1 g"),
+            ("drag_coefficient", "1"),
+        ];
+        let v = let_go(&gear, 500.0, [15.0, 0.0, 0.0], 20);
+        assert!((v.x - 15.0).abs() < 0.1 && v.z > -1.5 && v.z < 0.0, "{v}");
     }
 
     #[test]
