@@ -94,3 +94,7 @@ mod book {}
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/world.md")]
 mod world_in_the_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/sensors.md")]
+mod sensors_in_the_book {}

@@ -202,6 +202,19 @@ mod tests {
     }
 
     #[test]
+    fn the_noise_of_the_mpu6050_is_that_of_its_data_sheet() {
+        let params = ImuParams {
+            preset: InertialDevice::Mpu6050,
+            ..params("0 g", "0 rad/s")
+        };
+        let read = at_rest(params, 100_000, 10);
+        let along: Vec<f64> = read.iter().map(|r| r.specific_force.si().z).collect();
+        assert_normal(&along, G, 400e-6 * G * 44.0_f64.sqrt());
+        let about: Vec<f64> = read.iter().map(|r| r.rate.si().z).collect();
+        assert_normal(&about, 0.0, 0.005_f64.to_radians() * 42.0_f64.sqrt());
+    }
+
+    #[test]
     fn a_drift_shows_as_a_hump_in_allan_deviation() {
         let mut params = params("0 g", "0 rad/s");
         let drift = AngularRate::from_degrees_per_second(0.05);

@@ -194,11 +194,11 @@ impl Sensor for OpticalFlowSensor {
     }
 }
 
-/// Measures how the picture below moves: [`OpticalFlowSensor`] with three by three rays, 30 degrees apart,
-/// about the downward axis of its mount.
+/// Measures how the picture below moves, as `optical-flow` does ahead.
 ///
-/// The upper edge of its picture is to the front, its right to the right. In the original the mean depth
-/// of this one was always 0.
+/// By default three by three rays, 30 degrees apart, about the downward axis of its mount. The upper edge
+/// of its picture is to the front, its right to the right. In the original the mean depth of this one was
+/// always 0.
 #[sensor(
     "optical-flow-down",
     java = "harvard.robobees.simbeeotic.model.sensor.BottomOpticalMotionSensor"

@@ -43,6 +43,34 @@ fn the_world_of_the_book_stands_and_bees_of_its_shape_fly_in_it() {
 }
 
 #[test]
+fn the_sensors_of_the_book_are_read_and_recorded_beside_the_truth() {
+    let chapter = include_str!("../../../../docs/book/src/sensors.md");
+    let block = chapter.split("```toml").nth(1).expect("a scenario");
+    let scenario = block.split("```").next().expect("a block ends");
+    let program = Program::new();
+    program.write("senses.toml", scenario);
+    let call = program.call(&["run", "senses.toml", "--quiet", "--end-time", "2 s"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let export = [
+        "export",
+        "senses.mcap",
+        "--readings",
+        "imu.csv",
+        "--model",
+        "bee-0/imu",
+    ];
+    let call = program.call(&export);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let table = std::fs::read_to_string(program.path("imu.csv")).expect("a table");
+    // Six numbers a sample, a hundred samples a second.
+    assert!(
+        (1200..=1207).contains(&table.lines().count()),
+        "{}",
+        table.lines().count()
+    );
+}
+
+#[test]
 fn a_recording_names_the_object_that_was_touched() {
     let program = Program::new();
     let scenario = r#"
