@@ -2,7 +2,7 @@
 
 use simbeeotic_model::world::World;
 use simbeeotic_model::world::generate::{
-    self, CityParams, MazeParams, MineParams, WarehouseParams,
+    self, CityParams, ForestParams, MazeParams, MineParams, OfficeParams, WarehouseParams,
 };
 use simbeeotic_model::{BuildError, Generator, generator};
 
@@ -64,5 +64,38 @@ impl Generator for Mine {
 
     fn generate(params: &MineParams) -> Result<World, BuildError> {
         Ok(generate::mine(params)?)
+    }
+}
+
+/// An office building: floors of corridors with rooms on both sides.
+///
+/// Rooms have numbers: `2.14` is room 14 of floor 2, the lowest being floor 0. Each has a door to its
+/// corridor; a lobby with openings from floor to floor joins the corridors. Walls to corridors, panes
+/// and furniture carry `room` and `floor` as metadata. Places are called `room 2.14`, `lobby 2` and
+/// `entrance`; the area to start in, before the entrance, `entrance`.
+#[generator("office")]
+pub struct Office;
+
+impl Generator for Office {
+    type Params = OfficeParams;
+
+    fn generate(params: &OfficeParams) -> Result<World, BuildError> {
+        Ok(generate::office(params)?)
+    }
+}
+
+/// A forest: trees that keep their distance, bushes, stones, a clearing.
+///
+/// Trunk and crown of a tree are two solid objects of the materials `wood` and `foliage`, labelled
+/// `spruce`, `beech`, `birch` or `snag`, with the tree's number as metadata `tree`. The clearing is
+/// a place and an area to start in, `clearing`.
+#[generator("forest")]
+pub struct Forest;
+
+impl Generator for Forest {
+    type Params = ForestParams;
+
+    fn generate(params: &ForestParams) -> Result<World, BuildError> {
+        Ok(generate::forest(params)?)
     }
 }
