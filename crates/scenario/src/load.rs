@@ -242,7 +242,7 @@ impl Reading {
             sources: &mut self.sources,
             folder,
             world: request.world.clone(),
-            areas: Vec::new(),
+            areas: None,
             variables: variables.clone(),
         };
         let plan = plan::plan(&tree, &mut cx);

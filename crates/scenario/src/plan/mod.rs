@@ -83,8 +83,8 @@ pub(crate) struct Context<'a> {
     pub(crate) folder: PathBuf,
     /// A world file that replaces the scenario's.
     pub(crate) world: Option<PathBuf>,
-    /// The world's areas to start in, once it is read.
-    pub(crate) areas: Vec<Spawn>,
+    /// The world's areas to start in; `None` if the world cannot be read.
+    pub(crate) areas: Option<Vec<Spawn>>,
     /// What placeholders of the world stand for.
     pub(crate) variables: Variables,
 }
@@ -116,7 +116,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         .get("weather")
         .and_then(|node| shared::weather(node, cx));
     let world = shared::world(section.get("world"), cx);
-    cx.areas = world.as_ref().map(|w| w.spawns.clone()).unwrap_or_default();
+    cx.areas = world.as_ref().map(|w| w.spawns.clone());
     let ground = world.as_ref().map(|w| w.ground.clone()).unwrap_or_default();
     let physics = physics::physics(section.get("physics"), &ground, &mut cx.faults);
     let components = shared::components(&mut section, &mut cx.faults);
@@ -215,7 +215,7 @@ pub(super) mod testing {
             sources: &mut sources,
             folder: PathBuf::new(),
             world: None,
-            areas: Vec::new(),
+            areas: None,
             variables: Variables::default(),
         };
         let value = read(&root, &mut cx);

@@ -260,12 +260,14 @@ impl Context<'_> {
             }
             "area" => {
                 let name: String = read(value, faults)?;
-                if let Some(area) = self.areas.iter().find(|area| area.name == name) {
+                // Of a world that cannot be read enough has been said.
+                let areas = self.areas.as_ref()?;
+                if let Some(area) = areas.iter().find(|area| area.name == name) {
                     return Some(Placing::Area(area.clone()));
                 }
-                let known = self.areas.iter().map(|area| area.name.as_str());
+                let known = areas.iter().map(|area| area.name.as_str());
                 let fault = Fault::unknown(value.span, "area to start in", &name, known);
-                self.faults.push(match self.areas.is_empty() {
+                self.faults.push(match areas.is_empty() {
                     true => fault.help("the world has none: a `[[spawn]]` there makes one"),
                     false => fault,
                 });

@@ -244,7 +244,7 @@ fn what_is_wrong_is_shown_at_its_line() {
         ("scale = 0.1", "scale = -1", "20:", "must be more than 0"),
         (
             "max_height = \"3 m\"",
-            "length = \"3 m\"",
+            "max_height = \"3 m\", length = \"3 m\"",
             "28:",
             "hills.asc says itself that this is 10 m",
         ),
@@ -271,5 +271,6 @@ fn what_is_wrong_is_shown_at_its_line() {
         let said = load(&WORLD.replacen(old, new, 1)).err().expect(new);
         assert!(said.contains(&format!("w.toml:{place}")), "{new}: {said}");
         assert!(said.contains(word), "{new}: {said}");
+        assert_eq!(said.matches("error:").count(), 1, "{new}: {said}");
     }
 }
