@@ -155,14 +155,6 @@ fn all_faults(node: &Node) -> Vec<Fault> {
         }
     }
     faults.extend(faults_of::<World>(&rest));
-    // A choice that was wrong is set aside to find what else is; that the choice is missing then is
-    // no news.
-    let places: Vec<Span> = faults.iter().filter_map(|f| f.span).collect();
-    let holds_another = |outer: Span| places.iter().any(|p| *p != outer && outer.contains(*p));
-    faults.retain(|f| {
-        let choiceless = f.message.ends_with("where one choice is wanted");
-        !(choiceless && f.span.is_some_and(holds_another))
-    });
     faults
 }
 

@@ -62,7 +62,19 @@ fn all_faults<T: DeserializeOwned>(node: &Node, first: ReadError) -> Vec<Fault> 
         }
     }
     faults.sort_by_key(|f| f.span);
+    drop_choiceless(&mut faults);
     faults
+}
+
+/// A choice that was wrong is set aside to find what else is; that the choice is missing then is no
+/// news.
+fn drop_choiceless(faults: &mut Vec<Fault>) {
+    let places: Vec<Span> = faults.iter().filter_map(|f| f.span).collect();
+    let holds_another = |outer: Span| places.iter().any(|p| *p != outer && outer.contains(*p));
+    faults.retain(|f| {
+        let choiceless = f.message.ends_with("where one choice is wanted");
+        !(choiceless && f.span.is_some_and(holds_another))
+    });
 }
 
 /// Takes out the innermost table entry that `span` belongs to, in tables of lists too.

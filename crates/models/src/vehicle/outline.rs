@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 use simbeeotic_model::physics::{Hull, Mesh, Part, Shape};
-use simbeeotic_model::schemars::JsonSchema;
+use simbeeotic_model::schemars::{JsonSchema, Schema, SchemaGenerator};
 use simbeeotic_model::serde::{Deserialize, Serialize};
 use simbeeotic_model::units::{Attitude, Length, Offset};
+use simbeeotic_model::world::spelling::{Ball, Round, needed, needed_height};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The outline of a vehicle. Sizes are above zero.
@@ -12,13 +14,14 @@ use std::sync::Arc;
 /// The body is a solid of even density. Its origin becomes its centre of mass, and its axes (forward,
 /// left, up) the principal axes of its moments of inertia: for all shapes that are alike on both sides
 /// of each axis, what one would draw.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+///
+/// Files say the width of what is round as a `diameter` or as a `radius`, as they like.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(
     crate = "simbeeotic_model::serde",
     rename_all = "snake_case",
-    deny_unknown_fields
+    try_from = "OutlineFile"
 )]
-#[schemars(crate = "simbeeotic_model::schemars")]
 pub enum Outline {
     /// A sphere.
     Sphere {
@@ -69,6 +72,98 @@ pub enum Outline {
     },
     /// Several shapes that fly as one. Where they overlap, the mass counts twice.
     Parts(Vec<OutlinePart>),
+}
+
+/// An outline as files spell it.
+#[derive(Deserialize, JsonSchema)]
+#[serde(
+    crate = "simbeeotic_model::serde",
+    rename_all = "snake_case",
+    deny_unknown_fields
+)]
+#[schemars(crate = "simbeeotic_model::schemars")]
+enum OutlineFile {
+    /// A sphere.
+    Sphere(Ball),
+    /// A box.
+    Box {
+        /// Size from back to front.
+        length: Length,
+        /// Size from right to left.
+        width: Length,
+        /// Size from bottom to top.
+        height: Length,
+    },
+    /// An upright cylinder.
+    Cylinder(Round),
+    /// An upright cone, tip up, as wide as its base.
+    Cone(Round),
+    /// An upright cylinder with a half ball at each end: higher than it is wide.
+    Capsule(Round),
+    /// The smallest convex body that holds some points.
+    Hull {
+        /// Four points or more, not all in one plane: forward, left, up.
+        points: Vec<Offset>,
+    },
+    /// A closed surface of triangles. It collides as the convex hull of its points.
+    Mesh {
+        /// Corners of triangles: forward, left, up.
+        points: Vec<Offset>,
+        /// Three corners each, counter-clockwise seen from outside, as places in `points`, from 0.
+        triangles: Vec<[u32; 3]>,
+    },
+    /// Several shapes that fly as one. Where they overlap, the mass counts twice.
+    Parts(Vec<OutlinePart>),
+}
+
+impl TryFrom<OutlineFile> for Outline {
+    type Error = String;
+
+    fn try_from(file: OutlineFile) -> Result<Self, String> {
+        let round = |round: Round| {
+            let diameter = needed(round.radius()?)? * 2.0;
+            Ok::<_, String>((diameter, needed_height(round.height)?))
+        };
+        Ok(match file {
+            OutlineFile::Sphere(ball) => Self::Sphere {
+                diameter: needed(ball.radius()?)? * 2.0,
+            },
+            OutlineFile::Box {
+                length,
+                width,
+                height,
+            } => Self::Box {
+                length,
+                width,
+                height,
+            },
+            OutlineFile::Cylinder(file) => {
+                let (diameter, height) = round(file)?;
+                Self::Cylinder { diameter, height }
+            }
+            OutlineFile::Cone(file) => {
+                let (diameter, height) = round(file)?;
+                Self::Cone { diameter, height }
+            }
+            OutlineFile::Capsule(file) => {
+                let (diameter, height) = round(file)?;
+                Self::Capsule { diameter, height }
+            }
+            OutlineFile::Hull { points } => Self::Hull { points },
+            OutlineFile::Mesh { points, triangles } => Self::Mesh { points, triangles },
+            OutlineFile::Parts(parts) => Self::Parts(parts),
+        })
+    }
+}
+
+impl JsonSchema for Outline {
+    fn schema_name() -> Cow<'static, str> {
+        "Outline".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        OutlineFile::json_schema(generator)
+    }
 }
 
 /// One of the shapes of an [`Outline`].

@@ -14,7 +14,7 @@ use super::tree::{Element, Text};
 use super::variables::Variables;
 use crate::variables::Variables as Given;
 use simbeeotic_model::config::{Fault, Key, Node, Table, Value};
-use simbeeotic_world::Color;
+use simbeeotic_world::{Color, Texture};
 
 const HEIGHT: &str = "the original put every obstacle on the ground; here its `z` counts";
 const SQUARE: &str = "the original strewed the flowers of a patch over a square; here they stand \
@@ -297,23 +297,37 @@ impl World {
         self.t
             .check(element, &[], &["color", "label", "meta", "man"], &[]);
         let shape = self.shape(element, &["man"])?;
-        let inner = self.sizes(shape, MAN, &[]);
+        let inner = self.sizes_and(shape, MAN, &[], &["position", "meta"]);
         let position = self.position(shape)?;
         let mut table = Table::default();
         put(&mut table, "position", position.span, position);
         self.put_shape(&mut table, shape, inner);
         self.look(element, &mut table);
+        // The original's own generator of mines put it there, against its own schema.
+        if let Some(meta) = shape.child("meta") {
+            let message = "`meta` stands in `person`, not in `man`; it is read here too";
+            self.t.warn(meta.name.span, message);
+            if table.get("meta").is_none() {
+                let words = self.meta(meta);
+                put(&mut table, "meta", meta.name.span, words);
+            }
+        }
         Some(Node::new(element.span, Value::Table(table)))
     }
 
     /// The attributes of a shape that are lengths.
     fn sizes(&mut self, shape: &Element, sizes: Sizes, extra: &[&str]) -> Table {
+        self.sizes_and(shape, sizes, extra, &["position"])
+    }
+
+    /// The same for a shape with elements in it, each of them once at most.
+    fn sizes_and(&mut self, shape: &Element, sizes: Sizes, extra: &[&str], once: &[&str]) -> Table {
         let known: Vec<&str> = sizes
             .iter()
             .map(|s| s.0)
             .chain(extra.iter().copied())
             .collect();
-        self.t.check(shape, &known, &["position"], &[]);
+        self.t.check(shape, &known, once, &[]);
         let mut table = Table::default();
         for (name, key) in sizes {
             if let Some(text) = self.t.optional(shape, name)
@@ -373,29 +387,30 @@ impl World {
             put(table, "label", label.name.span, node);
         }
         if let Some(meta) = element.child("meta") {
-            self.t.check(meta, &[], &[], &["prop"]);
-            let mut names = Table::default();
-            for prop in meta.children("prop") {
-                self.t.check(prop, &["name", "value"], &[], &[]);
-                let pair = (
-                    self.t.required(prop, "name"),
-                    self.t.required(prop, "value"),
-                );
-                if let (Some(name), Some(value)) = pair {
-                    let key = Key {
-                        text: name.text,
-                        span: name.span,
-                    };
-                    names.insert(key, Node::string(value.span, value.text));
-                }
-            }
-            put(
-                table,
-                "meta",
-                meta.name.span,
-                Node::new(meta.span, Value::Table(names)),
-            );
+            let words = self.meta(meta);
+            put(table, "meta", meta.name.span, words);
         }
+    }
+
+    /// Names and values.
+    fn meta(&mut self, meta: &Element) -> Node {
+        self.t.check(meta, &[], &[], &["prop"]);
+        let mut names = Table::default();
+        for prop in meta.children("prop") {
+            self.t.check(prop, &["name", "value"], &[], &[]);
+            let pair = (
+                self.t.required(prop, "name"),
+                self.t.required(prop, "value"),
+            );
+            if let (Some(name), Some(value)) = pair {
+                let key = Key {
+                    text: name.text,
+                    span: name.span,
+                };
+                names.insert(key, Node::string(value.span, value.text));
+            }
+        }
+        Node::new(meta.span, Value::Table(names))
     }
 
     fn color(&mut self, element: &Element) -> Option<Node> {
@@ -441,10 +456,13 @@ impl World {
             // "/textures/brick_2.jpg" came with the program: "brick_2".
             "classpath" => {
                 let file = path.text.rsplit('/').next().unwrap_or_default();
-                (
-                    "builtin",
-                    file.split('.').next().unwrap_or_default().to_owned(),
-                )
+                let name = file.split('.').next().unwrap_or_default();
+                if !Texture::is_builtin(name) {
+                    let message = format!("unknown texture `{name}`, which is left out");
+                    self.t.warn(path.span, message);
+                    return None;
+                }
+                ("builtin", name.to_owned())
             }
             "filesystem" => ("file", path.text),
             _ => return None,

@@ -9,6 +9,7 @@ mod originals;
 mod placeholders;
 mod plans;
 mod shelf;
+mod shipped;
 mod worlds;
 
 // The files name parts, and those must be linked.

@@ -187,3 +187,34 @@ fn paths_that_occur_twice_are_found_however_they_come_about() {
     assert!(!clash(("a", none), ("a", three)) && !clash(("a", none), ("a-0", one)));
     assert!(!clash(("a-1", three), ("a", three)));
 }
+
+#[test]
+fn a_vehicle_says_how_wide_it_is_as_it_likes() {
+    let scenario = |shape: &str| {
+        format!(
+            "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n\
+             vehicle = {{ use = \"simple-bee\", shape = {{ {shape} }} }}\n"
+        )
+    };
+    for shape in [
+        "sphere = { radius = \"5 cm\" }",
+        "sphere = { diameter = \"10 cm\" }",
+        "cylinder = { radius = \"5 cm\", height = \"3 cm\" }",
+    ] {
+        good("x.toml", &scenario(shape)).setup().expect(shape);
+    }
+    for (shape, word) in [
+        ("sphare = { diameter = \"1 m\" }", "did you mean `sphere`?"),
+        ("sphere = { diamter = \"1 m\" }", "did you mean `diameter`?"),
+        ("sphere = {}", "`diameter` is missing here"),
+        ("cone = { diameter = \"1 m\" }", "`height` is missing here"),
+        (
+            "cone = { diameter = \"1 m\", radius = \"1 m\", height = \"1 m\" }",
+            "one will do",
+        ),
+    ] {
+        let said = bad("x.toml", &scenario(shape));
+        assert!(said.contains(word), "{shape}: {said}");
+        assert_eq!(said.matches("error:").count(), 1, "{shape}: {said}");
+    }
+}
