@@ -159,14 +159,15 @@ fn all_classes_are_known_and_those_without_a_part_are_left_out() {
         r#"<model><java-class>§.model.HWILBee</java-class>
              <custom-config><behaviors/></custom-config></model>
            <model><java-class>§.example.InertBee</java-class>
-             <sensor name="eye"><java-class>§.model.sensor.DefaultCameraSensor</java-class></sensor></model>"#,
+             </model>
+           <model><java-class>§.example.MineBee</java-class></model>"#,
         "<components><variation><java-class>§.component.ViconInputComponent</java-class></variation></components>",
     ));
     assert!(
         !toml.contains("ghost") && !toml.contains("component"),
         "{toml}"
     );
-    for class in ["HWILBee", "DefaultCameraSensor", "ViconInputComponent"] {
+    for class in ["HWILBee", "MineBee", "ViconInputComponent"] {
         assert!(
             said.contains(&format!("`{class}` is known, not simulated yet")),
             "{said}"
