@@ -34,6 +34,8 @@ pub(crate) struct Cell {
     pub(crate) charger_c: f64,
     /// Energy that came from chargers, J.
     pub(crate) charger_j: f64,
+    /// Charge that flowed in and was not stored, C.
+    pub(crate) lost_c: f64,
 }
 
 impl Cell {
@@ -203,6 +205,7 @@ impl Cell {
         }
         let stored_j = self.stored_j(battery) - before.stored_j(battery);
         self.heat_j += mean_v * taken_c - stored_j;
+        self.lost_c += taken_c - (self.charge_c - before.charge_c);
         self.charger_c += taken_c;
         self.charger_j += mean_v * taken_c;
         (dt, mean_v)

@@ -80,6 +80,8 @@ pub struct Books {
     pub start_charge: Charge,
     /// Charge that chargers gave, to the battery and to the loads beside it.
     pub charged_charge: Charge,
+    /// Charge that flowed into it and was not stored.
+    pub lost_charge: Charge,
     /// How often it was empty.
     pub empties: u32,
     /// How often it was charged until full.
@@ -257,6 +259,10 @@ impl Power {
     /// A charger is connected. It must be settled.
     pub(crate) fn plug(&mut self, current: Current, until: SimTime) {
         let current_a = current.get();
+        // What comes full and fit has nothing to be told.
+        if self.charger.is_none() && self.is_full() && self.condition == Condition::Fit {
+            self.full_told = true;
+        }
         if current_a > 0.0 && current_a.is_finite() {
             self.charger = Some(Charger { current_a, until });
         }
@@ -299,6 +305,7 @@ impl Power {
             heat: Energy::si(self.cell.heat_j),
             start_charge: Charge::si(self.start.charge_c),
             charged_charge: Charge::si(self.cell.charger_c),
+            lost_charge: Charge::si(self.cell.lost_c),
             empties: self.empties,
             fills: self.fills,
         }

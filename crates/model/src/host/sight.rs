@@ -95,6 +95,11 @@ impl Cx<'_> {
         self.swarm.pose_of(id, self.now)
     }
 
+    /// The radius of the sphere around a model's body. `None` if it has none.
+    pub fn radius_of(&self, id: ModelId) -> Option<Length> {
+        self.swarm.radius_of(id)
+    }
+
     /// The true twist of a model's body, as it was when this round began. `None` if it has none.
     pub fn twist_of(&self, id: ModelId) -> Option<Twist> {
         self.swarm.twist_of(id, self.now)

@@ -2,7 +2,9 @@
 
 pub mod balloon;
 pub mod broadcast;
+pub mod charging_hive;
 pub mod cruise;
+pub mod forager;
 pub mod hive;
 pub mod inert;
 pub mod instrument;
