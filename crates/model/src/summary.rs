@@ -40,6 +40,9 @@ pub struct Summary {
     pub packets: Packets,
     /// Charge drawn by all platforms, by consumer (see [`Consumer::name`](crate::Consumer::name)).
     pub charge: BTreeMap<String, ChargeLine>,
+    /// The batteries; absent if there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub batteries: Option<Batteries>,
     /// How late a paced run was; absent when it ran as fast as it could.
     pub lateness: Option<Lateness>,
     /// Hash of everything that happened: equal hashes, equal runs.
@@ -81,6 +84,33 @@ pub struct Packets {
 pub struct ChargeLine {
     /// Charge, mA·s.
     pub milliampere_seconds: f64,
+    /// Energy, J, of those that run on a battery; absent if nobody does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joules: Option<f64>,
+}
+
+/// All batteries of a run together, at its end.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Batteries {
+    /// How many there are.
+    pub count: usize,
+    /// The lowest state of charge, 0 to 1.
+    pub soc_min: f64,
+    /// The mean state of charge, 0 to 1.
+    pub soc_mean: f64,
+    /// How many platforms are grounded or off, or on their way down, for want of power.
+    pub out_of_power: usize,
+    /// How often one was empty.
+    pub emptied: u64,
+    /// How often one was charged until full.
+    pub charged: u64,
+    /// Energy that loads and resistances took out of what was stored, J; below zero if chargers
+    /// gave more.
+    pub spent_j: f64,
+    /// Energy from chargers, J.
+    pub charged_j: f64,
+    /// Energy turned into heat in the batteries, J.
+    pub heat_j: f64,
 }
 
 /// How late a paced run was.

@@ -2,9 +2,9 @@
 
 use super::setup::{Setup, SetupError, assemble};
 use crate::component::{Component, ComponentError};
-use crate::energy::{Accounts, BatteryState, Books, Consumer};
+use crate::energy::{Accounts, BatteryState, Books, Condition, Consumer};
 use crate::population::Population;
-use crate::summary::{ChargeLine, Lateness, Packets, Summary, TimeShares};
+use crate::summary::{Batteries, ChargeLine, Lateness, Packets, Summary, TimeShares};
 use crate::swarm::{Mark, Swarm, wake};
 use crate::view::{Origin, View};
 use crate::watch;
@@ -301,6 +301,35 @@ impl Simulation {
         self.engine.domain().accounts(core, self.engine.now())
     }
 
+    /// All batteries, if there are any, and the energy that they gave each consumer, J.
+    fn batteries(&self) -> (Option<Batteries>, [f64; Consumer::ALL.len()]) {
+        let (swarm, now) = (self.engine.domain(), self.engine.now());
+        let mut all = Batteries {
+            soc_min: 1.0,
+            ..Batteries::default()
+        };
+        let mut joules = [0.0; Consumer::ALL.len()];
+        for agent in self.engine.agents() {
+            let Some((state, books)) = swarm.battery(&agent.core, now) else {
+                continue;
+            };
+            all.count += 1;
+            all.soc_min = all.soc_min.min(state.soc);
+            all.soc_mean += state.soc;
+            all.out_of_power += usize::from(state.condition != Condition::Fit);
+            all.emptied += u64::from(books.empties);
+            all.charged += u64::from(books.fills);
+            all.spent_j += (books.start - books.stored).get();
+            all.charged_j += books.charged.get();
+            all.heat_j += books.heat.get();
+            for (sum, consumer) in joules.iter_mut().zip(Consumer::ALL) {
+                *sum += books.used(consumer).get();
+            }
+        }
+        all.soc_mean /= all.count.max(1) as f64;
+        ((all.count > 0).then_some(all), joules)
+    }
+
     fn summary(&self, start: Instant, ended: &str) -> Summary {
         let (engine, swarm) = (&self.engine, self.engine.domain());
         let stats = engine.stats();
@@ -316,6 +345,7 @@ impl Simulation {
         for id in 0..engine.agents().len() {
             total.add(&self.accounts_of(ModelId(id as u32)));
         }
+        let (batteries, joules) = self.batteries();
         let lateness = engine.lateness();
         Summary {
             scenario: self.origin.name.clone(),
@@ -345,10 +375,12 @@ impl Simulation {
                     let milliampere_seconds = total.drawn(consumer).get() * 1e3;
                     let line = ChargeLine {
                         milliampere_seconds,
+                        joules: batteries.map(|_| joules[consumer as usize]),
                     };
                     (consumer.name().to_owned(), line)
                 })
                 .collect(),
+            batteries,
             lateness: engine.control().factor().map(|_| Lateness {
                 late: lateness.late,
                 max_ms: lateness.max.as_secs_f64() * 1e3,

@@ -529,7 +529,15 @@ fn foragers_come_home_and_set_out_again() {
     ];
     let forager = |at: u32| {
         let place = [f64::from(at) - 1.0, 2.0, 1.0];
-        with_battery(bee(&format!("bee-{at}"), "forager-bee", &[], place), &keys)
+        with_battery(
+            bee(
+                &format!("bee-{at}"),
+                "forager-bee",
+                &[("range", "10 m")],
+                place,
+            ),
+            &keys,
+        )
     };
     let mut models = vec![hive];
     models.extend((0..3).map(forager));

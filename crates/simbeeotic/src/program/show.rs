@@ -177,6 +177,32 @@ pub(super) fn summary(summary: &Summary, ended: &str) -> String {
         let total = three_digits(Consumer::ALL.into_iter().map(drawn).sum());
         line("charge", format!("{total} mAh: {}", shares.join(", ")));
     }
+    if let Some(all) = &s.batteries {
+        let joules = |consumer: &Consumer| s.charge.get(consumer.name()).and_then(|l| l.joules);
+        let shares = Consumer::ALL.iter().filter_map(|consumer| {
+            let joules = joules(consumer).filter(|joules| *joules > 0.0)?;
+            Some(format!("{} {}", consumer.name(), three_digits(joules)))
+        });
+        let mut shares: Vec<_> = shares.collect();
+        if all.heat_j > 0.0 {
+            shares.push(format!("heat {}", three_digits(all.heat_j)));
+        }
+        let used: f64 = Consumer::ALL.iter().filter_map(joules).sum();
+        let total = three_digits(used + all.heat_j);
+        line("energy", format!("{total} J: {}", shares.join(", ")));
+        line(
+            "batteries",
+            format!(
+                "{}, {:.0} % full, the lowest {:.0} %; empty {} times, charged {} times, {} out of power",
+                HumanCount(all.count as u64),
+                100.0 * all.soc_mean,
+                100.0 * all.soc_min,
+                all.emptied,
+                all.charged,
+                all.out_of_power,
+            ),
+        );
+    }
     if let Some(late) = &s.lateness {
         line(
             "late",
