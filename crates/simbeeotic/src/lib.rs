@@ -84,6 +84,10 @@ pub use library::{Error, Run, run_file, run_text};
 /// What a file with a behaviour in it wants to see.
 pub mod prelude {
     pub use crate::model::prelude::*;
+    pub use crate::models::sensor::contact::Bump;
+    pub use crate::models::sensor::multi_ranger::Gaps;
+    pub use crate::models::sensor::scan::{Scan, ScanEcho};
+    pub use crate::models::sensor::sighting::Sighting;
 }
 
 // The book's code is compiled, and its tests run, with the examples of the documentation.
@@ -98,3 +102,7 @@ mod world_in_the_book {}
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/sensors.md")]
 mod sensors_in_the_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/sensors-environment.md")]
+mod surroundings_in_the_book {}

@@ -1,5 +1,6 @@
 //! Behaviours: what vehicles and stations do.
 
+pub mod avoid;
 pub mod balloon;
 pub mod broadcast;
 pub mod charging_hive;

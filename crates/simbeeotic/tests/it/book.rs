@@ -71,6 +71,18 @@ fn the_sensors_of_the_book_are_read_and_recorded_beside_the_truth() {
 }
 
 #[test]
+fn the_bees_of_the_page_on_the_surroundings_fly_and_see() {
+    let page = include_str!("../../../../docs/book/src/sensors-environment.md");
+    let block = page.split("```toml").nth(1).expect("it shows a scenario");
+    let scenario = block.split("```").next().expect("a block ends");
+    let program = Program::new();
+    program.write("book.toml", scenario);
+    let call = program.call(&["run", "book.toml", "--quiet", "--end-time", "2 s"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    assert!(!call.err.contains("warning"), "{}", call.err);
+}
+
+#[test]
 fn a_recording_names_the_object_that_was_touched() {
     let program = Program::new();
     let scenario = r#"
