@@ -11,6 +11,7 @@ use simbeeotic_kernel::{ModelId, rng::path_key};
 use simbeeotic_physics::{BodyId, BodySpec, Physics};
 use simbeeotic_radio::{Antenna, Medium, RadioId, RadioSpec};
 use simbeeotic_units::{Current, Mount, Pose, Time};
+use simbeeotic_world::World;
 use std::any::TypeId;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -118,6 +119,7 @@ pub struct Instance<'a> {
     /// The gear on board.
     pub gear: Arc<GearPlan>,
     pub(crate) vehicle: Option<&'a dyn VehicleFactory>,
+    pub(crate) world: &'a World,
     pub(crate) physics: &'a mut Physics,
     pub(crate) medium: Option<&'a mut Box<dyn Medium>>,
     pub(crate) body: Option<BodyId>,
@@ -186,6 +188,7 @@ impl Instance<'_> {
                 sampling: plan.sampling,
                 seed: self.seed,
                 path: &path,
+                world: self.world,
             })?;
             self.give(&plan.name, &sensor.needs())?;
             current += plan.mean_current(sensor.current());

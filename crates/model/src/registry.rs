@@ -213,6 +213,8 @@ pub struct SensorKit<'a> {
     pub seed: u64,
     /// Its path: `bee-17/compass`.
     pub path: &'a str,
+    /// The world that it is in.
+    pub world: &'a World,
 }
 
 /// A part that needs nothing but its parameters: antennas, propagation, weather, components.
@@ -458,7 +460,9 @@ impl<S: Sensor> SensorFactory for MakeSensor<S> {
     fn build(&self, kit: &SensorKit<'_>) -> Result<Box<dyn AnySensor>, BuildError> {
         let stream = |purpose| Stream::new(kit.seed, kit.path, purpose);
         let sampler = Sampler::new(&kit.sampling, || stream(Sampling::PURPOSE));
-        match S::build(self.0.params.clone()) {
+        let made = S::build(self.0.params.clone());
+        let found = made.and_then(|mut sensor| sensor.look_up(kit.world).map(|()| sensor));
+        match found {
             Ok(sensor) => Ok(Box::new(Mounted {
                 sensor,
                 mount: (kit.mount != Mount::IDENTITY).then(|| Box::new(kit.mount)),

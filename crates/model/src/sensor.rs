@@ -21,6 +21,7 @@ use crate::view::Truth;
 use simbeeotic_kernel::{SimTime, Stream};
 use simbeeotic_radio::Inbox;
 use simbeeotic_units::{Current, Mount, Time};
+use simbeeotic_world::World;
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
@@ -41,6 +42,14 @@ pub trait Sensor: Sized + Send + 'static {
     /// # Errors
     /// Parameters out of range, by [`BuildError::parameter`].
     fn build(params: Self::Params) -> Result<Self, BuildError>;
+
+    /// Looks up what its parameters name in the world, a place, say. Called once, before it measures.
+    ///
+    /// # Errors
+    /// The world has no such thing, by [`BuildError::parameter`].
+    fn look_up(&mut self, _world: &World) -> Result<(), BuildError> {
+        Ok(())
+    }
 
     /// What a perfect sensor in this place would read.
     fn ideal(&mut self, truth: &Truth<'_>) -> Self::Reading;

@@ -213,6 +213,7 @@ pub(crate) fn refusal(kind: &str, params: &[(&str, &str)]) -> Option<String> {
         sampling: Sampling::default(),
         seed: 1,
         path: "bee/sensor",
+        world: &World::default(),
     };
     factory.build(&kit).err().map(|fault| fault.to_string())
 }

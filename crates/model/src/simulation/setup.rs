@@ -129,6 +129,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
             start: plan.start,
             gear: plan.gear,
             vehicle: plan.vehicle.as_deref(),
+            world: &setup.world,
             physics: &mut physics,
             medium: medium.as_mut(),
             body: None,

@@ -4,7 +4,8 @@ use super::line;
 use simbeeotic_model::check::{at_least_zero, in_range, positive};
 use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
-use simbeeotic_model::units::{Decibels, Frequency, Length, Position, math};
+use simbeeotic_model::units::{Decibels, Frequency, Length, Position, did_you_mean, math};
+use simbeeotic_model::world::World;
 use simbeeotic_model::{
     BuildError, Column, Reading, SeesWhat, Sensor, Truth, choice, params, sensor,
 };
@@ -87,6 +88,9 @@ pub enum UwbTurns {
 pub struct UwbParams {
     /// Where the anchors are.
     pub anchors: Vec<Position>,
+    /// More anchors: the names of places of the world (`[[place]]` in its file). They are numbered after those
+    /// of `anchors`.
+    pub places: Vec<String>,
     /// Whether distances to other vehicles are measured as well.
     pub vehicles: bool,
     /// Who is measured at each reading: `all`, or `one` after the other (anchors first).
@@ -111,6 +115,7 @@ impl Default for UwbParams {
     fn default() -> Self {
         Self {
             anchors: Vec::new(),
+            places: Vec::new(),
             vehicles: false,
             turns: UwbTurns::All,
             max_range: Length::si(60.0),
@@ -135,11 +140,34 @@ impl Sensor for Uwb {
         at_least_zero("nlos_bias", params.nlos_bias)?;
         at_least_zero("nlos_sigma", params.nlos_sigma)?;
         in_range("nlos_loss", params.nlos_loss, 0.0..=1.0)?;
-        if params.anchors.is_empty() && !params.vehicles {
-            let message = "are none, and `vehicles` is false: there is nobody to measure";
+        if params.anchors.is_empty() && params.places.is_empty() && !params.vehicles {
+            let message =
+                "are none, nor `places`, and `vehicles` is false: nobody is to be measured";
             return Err(BuildError::parameter("anchors", message));
         }
         Ok(Self { params, next: 0 })
+    }
+
+    fn look_up(&mut self, world: &World) -> Result<(), BuildError> {
+        for name in &self.params.places {
+            let Some(place) = world.place(name) else {
+                let known = world.places.iter().map(|place| &*place.name);
+                let guess = did_you_mean(name, known.clone());
+                let guess = guess.map(|guess| format!("; did you mean `{guess}`?"));
+                let known: Vec<&str> = known.collect();
+                let known = match known.is_empty() {
+                    true => "which has none".to_owned(),
+                    false => format!("which has {}", known.join(", ")),
+                };
+                let guess = guess.unwrap_or_default();
+                let message =
+                    format!("names `{name}`, which is no place of the world, {known}{guess}");
+                return Err(BuildError::parameter("places", message));
+            };
+            self.params.anchors.push(place.position);
+        }
+        self.params.places.clear();
+        Ok(())
     }
 
     fn ideal(&mut self, truth: &Truth<'_>) -> Vec<UwbRange> {
@@ -261,7 +289,7 @@ mod tests {
     use crate::trial::{Trial, assert_normal, refusal};
     use simbeeotic_model::Handle;
     use simbeeotic_model::units::{Angle, Attitude, Mount, Offset, Velocity, Yaw};
-    use simbeeotic_model::world::{Dielectric, Material, Obstacle, World};
+    use simbeeotic_model::world::{Dielectric, Material, Obstacle, Place, World};
 
     type Reader = Handle<Vec<UwbRange>>;
 
@@ -404,6 +432,40 @@ mod tests {
             let read: Vec<f64> = (0..n).map(|_| bee.read(sensor)[0].distance.get()).collect();
             assert_normal(&read, 5.0, 0.03);
         });
+    }
+
+    #[test]
+    fn places_of_the_world_are_anchors_and_unknown_ones_are_refused() {
+        let mut trial = quiet(&[
+            ("anchors", "[[0 m, 0 m, 12 m]]"),
+            ("places", "[door, desk]"),
+        ]);
+        let place = |name: &str, east| Place {
+            name: name.to_owned(),
+            position: Position::from_xyz(east, 0.0, 10.05),
+            radius: Length::ZERO,
+            meta: Default::default(),
+        };
+        trial.world = World {
+            places: vec![place("desk", 7.0), place("door", 3.0)],
+            ..World::default()
+        };
+        trial.run(|bee, sensor: Reader| {
+            bee.set_position(Position::from_xyz(0.0, 0.0, 10.05));
+            let read = bee.read(sensor);
+            let read: Vec<_> = read.iter().map(|r| (r.to, r.distance.get())).collect();
+            let want = [(0, 1.95), (1, 3.0), (2, 7.0)];
+            assert_eq!(read.len(), 3);
+            for ((to, distance), (number, way)) in read.into_iter().zip(want) {
+                assert_eq!(to, UwbPeer::Anchor(number));
+                assert!((distance - way).abs() < 1e-9, "{distance} for {way}");
+            }
+        });
+        let refusal = refusal("uwb", &[("places", "[door]")]).expect("no such place");
+        assert!(
+            refusal.contains("places") && refusal.contains("door"),
+            "{refusal}"
+        );
     }
 
     #[test]
