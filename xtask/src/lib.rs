@@ -23,6 +23,7 @@
 )]
 
 mod arrows;
+mod gallery;
 mod golden;
 mod new_project;
 mod program;

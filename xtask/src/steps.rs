@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::repo::Repo;
 use crate::report::Report;
-use crate::{arrows, golden, new_project, schema, tidy, tools};
+use crate::{arrows, gallery, golden, new_project, schema, tidy, tools};
 
 /// One check that can be asked for by name.
 struct Step {
@@ -73,6 +73,12 @@ const STEPS: &[Step] = &[
         holds: "scenarios/scenario.schema.json is what the program writes [--accept]",
         order: Order::Then,
         run: |repo, options| schema::check(repo, options.accept),
+    },
+    Step {
+        name: "gallery",
+        holds: "the book's gallery is drawn anew: its page and its pictures [NAME ...]",
+        order: Order::Asked,
+        run: |repo, options| gallery::draw(repo, &options.words),
     },
     Step {
         name: "new-project",
@@ -158,7 +164,7 @@ fn parse(command: &str, rest: &[String]) -> Result<Options> {
                 options.skip.push(name.clone());
             }
             _ if command == "test" => options.words.push(arg.clone()),
-            word if command == "golden" && !word.starts_with('-') => {
+            word if ["golden", "gallery"].contains(&command) && !word.starts_with('-') => {
                 options.words.push(arg.clone())
             }
             _ => bail!("`{command}` does not take `{arg}`; see `cargo xtask --help`"),

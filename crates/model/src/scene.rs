@@ -121,16 +121,12 @@ impl Scene<'_> {
         &self.swarm.world
     }
 
-    /// A box along the axes that holds the bounding balls of all bodies that end somewhere: its lowest and
-    /// its highest corner, ENU, m. `None` if there is none.
+    /// A box along the axes that holds all bodies that end somewhere: its lowest and its highest corner, ENU,
+    /// m. `None` if there is none.
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
         let physics = &self.swarm.physics;
-        let bodies = (0..physics.len() as u32).map(|id| physics.motion(BodyId(id)));
-        let ends = bodies.filter(|motion| motion.radius_m().is_finite());
-        ends.map(|motion| {
-            let (p, r) = (motion.position(self.now), motion.radius_m());
-            [p - r, p + r]
-        })
-        .reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
+        let bodies = (0..physics.len() as u32).map(|id| physics.bounds(BodyId(id), self.now));
+        let ends = bodies.filter(|[low, high]| low.is_finite() && high.is_finite());
+        ends.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])
     }
 }

@@ -17,6 +17,7 @@ use crate::statics::Statics;
 use crate::support::Support;
 use crate::tree::Bounds;
 use crate::walls::Walls;
+use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_units::{Acceleration, Time};
@@ -416,6 +417,16 @@ impl Physics {
     #[must_use]
     pub fn kind(&self, id: BodyId) -> Kind {
         self.kinds[id.index()]
+    }
+
+    /// A box along the axes that holds a body at `t`: its least and its greatest corner, ENU, m; infinite for a
+    /// plane.
+    ///
+    /// # Panics
+    /// If `id` is not one of [`add`](Self::add) of this world.
+    #[must_use]
+    pub fn bounds(&self, id: BodyId, t: SimTime) -> [DVec3; 2] {
+        self.form(id.0).bounds(self.motions[id.index()].place(t))
     }
 
     /// Number of bodies.

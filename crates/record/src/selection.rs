@@ -44,6 +44,11 @@ impl Selection {
 }
 
 impl Selection {
+    /// Whether a path, or one above it, is selected.
+    pub fn takes(&self, path: &str) -> bool {
+        self.models.is_empty() || self.models.iter().any(|pattern| selects(pattern, path))
+    }
+
     /// Places of the patterns that match a path.
     pub(crate) fn matching(&self, path: &str) -> Vec<usize> {
         let patterns = self.models.iter().enumerate();

@@ -4,6 +4,7 @@ use super::setup::{Setup, SetupError, assemble};
 use crate::component::{Component, ComponentError};
 use crate::energy::{Accounts, BatteryState, Books, Condition, Consumer};
 use crate::population::Population;
+use crate::scene::Scene;
 use crate::summary::{Batteries, ChargeLine, Lateness, Packets, Summary, TimeShares};
 use crate::swarm::{Mark, Swarm, wake};
 use crate::view::{Origin, View};
@@ -127,6 +128,15 @@ impl Simulation {
     /// How far the run has come.
     pub fn now(&self) -> SimTime {
         self.engine.now()
+    }
+
+    /// What there is to be seen now, for a picture of it.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene {
+            now: self.engine.now(),
+            swarm: self.engine.domain(),
+            but: None,
+        }
     }
 
     /// All models.

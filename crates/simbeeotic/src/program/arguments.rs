@@ -69,6 +69,9 @@ pub(super) enum Command {
     /// Write a recording's positions, velocities and attitudes as a table
     #[command(after_help = EXPORT_COLUMNS)]
     Export(ExportOptions),
+    /// Draw a scenario or a world file, as seen by the program's own camera
+    #[command(after_help = PICTURE_EXAMPLES)]
+    Picture(PictureOptions),
     /// Write a world made by rule: maze, office, mine, forest, city, warehouse
     #[command(after_help = WORLD_EXAMPLES, disable_help_flag = true)]
     World(WorldOptions),
@@ -92,6 +95,15 @@ const EXPORT_COLUMNS: &str = "\
 Columns: time_s, time_ns, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
 (velocity, ENU), qw, qx, qy, qz (attitude, world_from_body), wx_rad_s, wy_rad_s, wz_rad_s (body
 rates, FLU). One row for each model and tick.";
+
+const PICTURE_EXAMPLES: &str = "\
+Examples:
+  simbeeotic picture worlds/garden.toml -o garden.png
+  simbeeotic picture scenarios/first-swarm.toml -o swarm.png --time \"10 s\"
+  simbeeotic picture maze.toml -o maze.png --from 0,0,40 --at 10,10,0 --kind depth
+
+Without --from it looks from the south-west and from above at all there is. Positions are east, north,
+up, in metres. Kinds: colour, grey, depth (near is bright), labels (a colour for each thing), normals.";
 
 const WORLD_EXAMPLES: &str = "\
 Examples:
@@ -202,7 +214,7 @@ pub(super) struct ExportOptions {
         value_name = "FILE",
         num_args = 0..=1,
         default_missing_value = "-",
-        required_unless_present_any = ["parquet", "readings"]
+        required_unless_present_any = ["parquet", "readings", "images"]
     )]
     pub(super) csv: Option<PathBuf>,
     /// Write what sensors read, and the truth beside it, as CSV to this file or to standard output
@@ -223,6 +235,9 @@ pub(super) struct ExportOptions {
         conflicts_with = "csv"
     )]
     pub(super) parquet: Option<PathBuf>,
+    /// Write the pictures that cameras took to this folder, as PNG: bee-1/eye/depth-000000250000us.png
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["csv", "parquet", "readings"])]
+    pub(super) images: Option<PathBuf>,
     /// Only models (of readings: sensors) whose path matches: bee-*, hive/bee-1, */imu
     #[arg(long, value_name = "PATTERN")]
     pub(super) model: Option<String>,
@@ -235,6 +250,42 @@ pub(super) struct ExportOptions {
     /// Only ticks up to this time: "20 s"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) to: Option<String>,
+}
+
+#[derive(Args)]
+pub(super) struct PictureOptions {
+    #[command(flatten)]
+    pub(super) scenario: ScenarioOptions,
+    /// File to write, PNG
+    #[arg(long, short, value_name = "FILE")]
+    pub(super) output: PathBuf,
+    /// Where the camera is [default: south-west and above, as far as it takes to see everything]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(super) from: Option<String>,
+    /// What it looks at [default: the middle of everything]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(super) at: Option<String>,
+    /// Its size in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x600")]
+    pub(super) size: String,
+    /// What the pixels show
+    #[arg(long, value_name = "KIND", default_value = "colour")]
+    pub(super) kind: String,
+    /// What the width of the picture shows, with a unit
+    #[arg(long, value_name = "ANGLE", default_value = "50 deg")]
+    pub(super) field_of_view: String,
+    /// Rays along each side of a pixel, 1 to 8: more are smoother
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub(super) samples: u32,
+    /// Nothing casts a shadow
+    #[arg(long)]
+    pub(super) no_shadows: bool,
+    /// Leave out the objects whose label is this; may be given many times: a ceiling, to see the rooms
+    #[arg(long, value_name = "LABEL")]
+    pub(super) hide: Vec<String>,
+    /// Run the scenario up to this time first: "10 s"
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(super) time: Option<String>,
 }
 
 /// More threads than this are a slip of the keyboard.

@@ -7,6 +7,7 @@ use simbeeotic_record::{
     ExportError, Exported, Recording, Selection, export_csv, export_csv_file, export_parquet,
     export_readings, export_readings_file,
 };
+use std::collections::BTreeMap;
 use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::num::NonZeroU64;
 use std::path::Path;
@@ -22,6 +23,9 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
         ));
     }
     let selection = selection(options)?;
+    if let Some(folder) = &options.images {
+        return images(&recording, &selection, folder);
+    }
     type ToFile = fn(&Recording, &Selection, &Path) -> Result<Exported, ExportError>;
     let to_file: ToFile = match (&options.readings, &options.csv) {
         (Some(_), _) => {
@@ -56,6 +60,36 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     keep_recording(options, &target)?;
     let exported = to_file(&recording, &selection, &target).map_err(failed)?;
     report(&exported, &target);
+    Ok(())
+}
+
+/// Writes the pictures, each named by its path and its time in microseconds, so that names sort as times do.
+fn images(recording: &Recording, selection: &Selection, folder: &Path) -> Result<(), Failure> {
+    let mut counts: BTreeMap<String, u64> = BTreeMap::new();
+    let mut written = 0_u64;
+    for picture in recording.pictures_in(selection.times_ns.clone()) {
+        let picture = picture.map_err(Failure::run)?;
+        if !selection.takes(&picture.path) {
+            continue;
+        }
+        let count = counts.entry(picture.path.clone()).or_default();
+        *count += 1;
+        if (*count - 1) % selection.every.get() != 0 {
+            continue;
+        }
+        // A path comes from a file: nothing leads out of the folder.
+        let parts = picture.path.split('/').filter(|part| !part.is_empty());
+        let mut path = folder.to_path_buf();
+        path.extend(parts.map(|part| part.replace(['\\', ':'], "_").replace("..", "_")));
+        path.as_mut_os_string()
+            .push(format!("-{:012}us.png", picture.time_ns / 1000));
+        let file = picture.image.to_png().map_err(Failure::run)?;
+        let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+        made.and_then(|()| std::fs::write(&path, file))
+            .map_err(|error| Failure::run(format!("cannot write {}: {error}", path.display())))?;
+        written += 1;
+    }
+    remark(format!("wrote {written} pictures to {}", folder.display()));
     Ok(())
 }
 

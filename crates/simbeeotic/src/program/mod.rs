@@ -17,6 +17,7 @@ mod export;
 mod input;
 mod log;
 mod new;
+mod picture;
 mod run;
 mod shelf;
 mod show;
@@ -51,6 +52,7 @@ pub fn main() -> ExitCode {
         } => new::new(&name, path.as_deref(), library.as_deref()),
         Command::Convert(options) => convert::convert(&options),
         Command::Export(options) => export::export(&options),
+        Command::Picture(options) => picture::picture(&options),
         Command::World(options) => world::world(&options),
         Command::Bench(experiment) => bench::bench(&experiment),
     };

@@ -1,0 +1,238 @@
+//! The gallery of the book: pictures of worlds and objects, and the page that shows them, from one list.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use toml::{Table, Value};
+
+use crate::program::{Profile, Program};
+use crate::repo::Repo;
+use crate::report::Report;
+
+/// What is drawn.
+const LIST: &str = "docs/book/gallery.toml";
+/// The page.
+const PAGE: &str = "docs/book/src/gallery.md";
+/// The pictures' folder.
+const IMAGES: &str = "docs/images/gallery";
+/// A picture that is larger than this does not belong in a repository.
+const BYTES_MAX: u64 = 80 * 1024;
+/// The size of a picture.
+const SIZE: &str = "480x320";
+
+/// Draws all pictures, or those that are named, and writes the page.
+pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
+    let text = std::fs::read_to_string(repo.path(LIST)).with_context(|| LIST.to_owned())?;
+    let list: Table = text.parse().with_context(|| LIST.to_owned())?;
+    let sections = sections(&list)?;
+    for name in names {
+        if !sections
+            .iter()
+            .flat_map(|s| &s.pictures)
+            .any(|p| p.name == *name)
+        {
+            bail!("{LIST} has no picture `{name}`");
+        }
+    }
+    let program = Program::build(repo, Profile::Dev)?;
+    let room = repo.target_dir()?.join("gallery");
+    std::fs::create_dir_all(&room)?;
+    std::fs::create_dir_all(repo.path(IMAGES))?;
+    let mut report = Report::of(String::new());
+    let mut drawn = 0;
+    for picture in sections.iter().flat_map(|section| &section.pictures) {
+        if !names.is_empty() && !names.contains(&picture.name) {
+            continue;
+        }
+        let file = format!("{IMAGES}/{}.png", picture.name);
+        let world = picture.world_file(&program, &room)?;
+        let world = world.to_string_lossy().into_owned();
+        let mut arguments = vec!["picture", &world, "-o", &file, "--size", SIZE];
+        arguments.extend(picture.arguments.iter().map(String::as_str));
+        program.stdout(&arguments)?;
+        let bytes = std::fs::metadata(repo.path(&file))?.len();
+        if bytes > BYTES_MAX {
+            let fault = format!("{file}: {} KiB; 80 KiB are the most", bytes.div_ceil(1024));
+            report.faults.push(fault);
+        }
+        drawn += 1;
+    }
+    std::fs::write(repo.path(PAGE), page(&sections))?;
+    report.summary = format!("{drawn} pictures in {IMAGES}, and {PAGE}");
+    Ok(report)
+}
+
+struct Section {
+    title: String,
+    text: String,
+    pictures: Vec<Picture>,
+}
+
+struct Picture {
+    name: String,
+    caption: String,
+    source: Source,
+    arguments: Vec<String>,
+}
+
+/// Which world a picture is of.
+enum Source {
+    Generated(String),
+    File(String),
+    Written(String),
+}
+
+impl Picture {
+    /// The file of its world, made if need be.
+    fn world_file(&self, program: &Program<'_>, room: &Path) -> Result<PathBuf> {
+        let made = room.join(format!("{}.toml", self.name));
+        match &self.source {
+            Source::File(file) => return Ok(PathBuf::from(file)),
+            Source::Written(text) => std::fs::write(&made, text)?,
+            Source::Generated(kind) => {
+                let path = made.to_string_lossy().into_owned();
+                program.stdout(&["world", kind, "--seed", "1", "--force", "-o", &path])?;
+            }
+        }
+        Ok(made)
+    }
+
+    /// The commands that make it.
+    fn commands(&self) -> String {
+        let (mut commands, world) = match &self.source {
+            Source::File(file) => (String::new(), file.clone()),
+            Source::Written(_) => (String::new(), format!("{}.toml", self.name)),
+            Source::Generated(kind) => (
+                format!("simbeeotic world {kind} --seed 1 -o {kind}.toml\n"),
+                format!("{kind}.toml"),
+            ),
+        };
+        let mut picture = format!("simbeeotic picture {world} -o {}.png", self.name);
+        for argument in &self.arguments {
+            let _ = write!(picture, " {argument}");
+        }
+        commands.push_str(&picture);
+        commands
+    }
+}
+
+fn sections(list: &Table) -> Result<Vec<Section>> {
+    tables(list, "section")?
+        .map(|section| {
+            Ok(Section {
+                title: text(section, "title")?,
+                text: text(section, "text")?,
+                pictures: tables(section, "picture")?
+                    .map(picture)
+                    .collect::<Result<_>>()?,
+            })
+        })
+        .collect()
+}
+
+fn picture(table: &Table) -> Result<Picture> {
+    let source = match (table.get("generate"), table.get("file"), table.get("world")) {
+        (Some(_), None, None) => Source::Generated(text(table, "generate")?),
+        (None, Some(_), None) => Source::File(text(table, "file")?),
+        (None, None, Some(_)) => Source::Written(text(table, "world")?),
+        _ => bail!("{LIST}: a picture has one of `generate`, `file` and `world`"),
+    };
+    let arguments = match table.get("arguments") {
+        None => Vec::new(),
+        Some(Value::Array(words)) => {
+            let words = words.iter().filter_map(Value::as_str);
+            words.map(str::to_owned).collect()
+        }
+        Some(_) => bail!("{LIST}: `arguments` is a list of words"),
+    };
+    Ok(Picture {
+        name: text(table, "name")?,
+        caption: text(table, "caption")?,
+        source,
+        arguments,
+    })
+}
+
+fn tables<'a>(table: &'a Table, key: &str) -> Result<impl Iterator<Item = &'a Table>> {
+    let list = table.get(key).and_then(Value::as_array);
+    let list = list.with_context(|| format!("{LIST}: no [[{key}]]"))?;
+    Ok(list.iter().filter_map(Value::as_table))
+}
+
+fn text(table: &Table, key: &str) -> Result<String> {
+    let text = table.get(key).and_then(Value::as_str);
+    Ok(text
+        .with_context(|| format!("{LIST}: no `{key}`"))?
+        .to_owned())
+}
+
+/// The page, as Markdown.
+fn page(sections: &[Section]) -> String {
+    let mut page = String::from(
+        "# Gallery\n\nEvery picture here is drawn by `simbeeotic picture`, with the camera that bees can carry. \
+         `cargo xtask gallery`\ndraws them all and writes this page, from `docs/book/gallery.toml`.\n",
+    );
+    for section in sections {
+        let _ = write!(page, "\n## {}\n", section.title);
+        if !section.text.trim().is_empty() {
+            let _ = write!(page, "\n{}\n", section.text.trim());
+        }
+        for picture in &section.pictures {
+            let Picture { name, caption, .. } = picture;
+            let _ = write!(
+                page,
+                "\n{caption}\n\n![{name}](../../images/gallery/{name}.png)\n"
+            );
+            if let Source::Written(world) = &picture.source {
+                let _ = write!(page, "\n```toml\n{}\n```\n", world.trim());
+            } else {
+                let _ = write!(page, "\n```sh\n{}\n```\n", picture.commands());
+            }
+        }
+    }
+    page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXAMPLE: &str = r#"
+        [[section]]
+        title = "Things"
+        text = "Some."
+        [[section.picture]]
+        name = "maze"
+        caption = "A maze."
+        generate = "maze"
+        arguments = ["--kind", "depth"]
+        [[section.picture]]
+        name = "box"
+        caption = "A box."
+        world = "[[obstacle]]"
+    "#;
+
+    #[test]
+    fn the_page_has_each_picture_with_what_makes_it() {
+        let list: Table = EXAMPLE.parse().expect("a table");
+        let page = page(&sections(&list).expect("sections"));
+        for part in [
+            "## Things",
+            "![maze](../../images/gallery/maze.png)",
+            "simbeeotic world maze --seed 1 -o maze.toml\nsimbeeotic picture maze.toml -o maze.png --kind depth",
+            "```toml\n[[obstacle]]\n```",
+        ] {
+            assert!(page.contains(part), "{part} in {page}");
+        }
+    }
+
+    #[test]
+    fn a_picture_of_nothing_is_refused() {
+        let list: Table = EXAMPLE
+            .replace("generate = \"maze\"", "")
+            .parse()
+            .expect("a table");
+        assert!(sections(&list).is_err());
+    }
+}
