@@ -100,6 +100,10 @@ mod book {}
 mod world_in_the_book {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/generators.md")]
+mod generators_in_the_book {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/sensors.md")]
 mod sensors_in_the_book {}
 

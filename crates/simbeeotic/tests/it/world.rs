@@ -131,3 +131,59 @@ fn mistakes_are_shown_where_they_were_made() {
         assert!(call.err.contains(words), "{arguments:?}: {}", call.err);
     }
 }
+
+/// The words of a command line; `"5 m"` is one, or the end of one.
+fn words(line: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut quoted = false;
+    for letter in line.chars() {
+        match letter {
+            '"' => quoted = !quoted,
+            ' ' if !quoted => words.push(String::new()),
+            _ => words.last_mut().expect("there is one").push(letter),
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+#[test]
+fn the_commands_of_the_chapter_run_and_so_does_its_scenario() {
+    let chapter = include_str!("../../../../docs/book/src/generators.md");
+    let program = Program::new();
+    let mut written = 0;
+    for line in chapter
+        .lines()
+        .filter(|l| l.starts_with("simbeeotic world "))
+    {
+        let command = line.split('#').next().unwrap_or(line);
+        let words = words(command);
+        let mut arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
+        if let Some(at) = words.iter().position(|w| w == "-o") {
+            written += 1;
+            // The first example and the chapter's picture of an office have one name.
+            if program.path(&words[at + 1]).exists() {
+                arguments.push("--force");
+            }
+        }
+        let call = program.call(&arguments);
+        assert_eq!(call.code, Some(0), "{line}: {}", call.err);
+    }
+    assert_eq!(written, 1 + kinds().len());
+    let mut blocks = chapter.split("```toml").skip(1);
+    let block = blocks.next().and_then(|b| b.split("```").next());
+    program.write("swarm.toml", block.expect("the chapter shows a scenario"));
+    let one = program.trace(&["swarm.toml"]);
+    let other = program.trace(&["swarm.toml", "--set", "world.generate.seed=4"]);
+    assert_ne!(one, other);
+    assert!(
+        chapter.contains(
+            &program
+                .call(&["world", "maze", "--set", "columns=0"])
+                .err
+                .lines()
+                .next()
+                .expect("an error")[..40]
+        )
+    );
+}
