@@ -2,7 +2,7 @@
 //! attitudes, materials, meshes and heights from files, areas to start in, places.
 
 use crate::shown;
-use simbeeotic_scenario::{Loaded, Request, load_file};
+use simbeeotic_scenario::{Checked, Loaded, Request, check_file, load_file};
 use simbeeotic_units::{Frequency, Length, Position};
 use simbeeotic_world::{Color, ObjectId, ObjectKind, SolidShape, StructureShape, World};
 use std::fs;
@@ -273,4 +273,59 @@ fn what_is_wrong_is_shown_at_its_line() {
         assert!(said.contains(word), "{new}: {said}");
         assert_eq!(said.matches("error:").count(), 1, "{new}: {said}");
     }
+}
+
+/// A picture of two by two shades.
+fn hills() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 2, 2);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().expect("written");
+    writer
+        .write_image_data(&[0, 90, 180, 255])
+        .expect("written");
+    writer.finish().expect("written");
+    bytes
+}
+
+#[test]
+fn the_worlds_of_the_book_are_read() {
+    let chapter = include_str!("../../../../docs/book/src/worlds.md");
+    let blocks = chapter.split("```toml").skip(1);
+    let blocks: Vec<&str> = blocks.filter_map(|b| b.split("```").next()).collect();
+    let folder = folder("");
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("hills.png"), hills()).expect("written");
+    // A tent of four sides: its hull has a volume.
+    let corners = ["0 0 0", "10 0 0", "0 10 0", "0 0 10"];
+    let side = |[a, b, c]: [usize; 3]| {
+        let [a, b, c] = [corners[a], corners[b], corners[c]];
+        format!("facet\nouter loop\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\n")
+    };
+    let sides = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+        .map(side)
+        .concat();
+    fs::write(path("tent.stl"), format!("solid tent\n{sides}endsolid\n")).expect("written");
+    let mut read = 0;
+    for (at, block) in blocks.iter().enumerate() {
+        if block.contains("[run]") {
+            fs::write(path("yard.toml"), blocks[at + 1]).expect("written");
+            fs::write(path("s.toml"), block).expect("written");
+            let loaded = load_file(&path("s.toml"), &Request::default());
+            let loaded = loaded.unwrap_or_else(|r| panic!("{}", shown(&r)));
+            assert_eq!(loaded.plan().world.obstacles[0].label, "one of 40");
+            assert_eq!(loaded.setup().expect("good").models.len(), 40);
+            read += 1;
+        } else if !block.contains("${") {
+            fs::write(path("w.toml"), block).expect("written");
+            match check_file(&path("w.toml"), &Request::default()) {
+                Ok(Checked::World { faults, .. }) => assert_eq!(faults, [], "{block}"),
+                Ok(Checked::Scenario(_)) => panic!("this is a world:\n{block}"),
+                Err(rejected) => panic!("{}", shown(&rejected)),
+            }
+            read += 1;
+        }
+    }
+    assert_eq!(read, 8);
 }
