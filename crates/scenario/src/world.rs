@@ -7,8 +7,8 @@ use serde::de::DeserializeOwned;
 use simbeeotic_model::config::{Fault, Level, Node, SourceId, Sources, Span, Value, read_params};
 use simbeeotic_model::objects;
 use simbeeotic_world::{
-    Material, Obstacle, ObstacleShape, Patch, Person, Place, Solid, Spawn, Structure, World,
-    WorldError,
+    Light, Material, Obstacle, ObstacleShape, Patch, Person, Place, Solid, Source, Spawn,
+    Structure, World, WorldError,
 };
 use std::path::Path;
 
@@ -137,7 +137,7 @@ fn all_faults(node: &Node) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut rest = node.clone();
     if let Some(table) = rest.as_table_mut() {
-        let lists: [(&str, Look); 7] = [
+        let lists: [(&str, Look); 9] = [
             ("obstacle", faults_of::<Obstacle>),
             ("structure", faults_of::<Structure>),
             ("patch", faults_of::<Patch>),
@@ -145,6 +145,8 @@ fn all_faults(node: &Node) -> Vec<Fault> {
             ("material", faults_of::<Material>),
             ("spawn", faults_of::<Spawn>),
             ("place", faults_of::<Place>),
+            ("light", faults_of::<Light>),
+            ("source", faults_of::<Source>),
         ];
         for (key, look) in lists {
             if table.get(key).and_then(Node::as_array).is_some()

@@ -204,6 +204,8 @@ fn describe_world(name: &str, world: &World) -> String {
         (flowers.as_str(), world.patches.len()),
         ("people", world.people.len()),
         ("terrain", usize::from(world.terrain.is_some())),
+        ("lights", world.lights.len()),
+        ("sources of gas", world.sources.len()),
         ("materials", world.materials.len()),
         ("areas to start in", world.spawns.len()),
         ("places", world.places.len()),
