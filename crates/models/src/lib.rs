@@ -3,8 +3,8 @@
 //! | kind | parts |
 //! |---|---|
 //! | vehicles | [`vehicle::simple_bee`] |
-//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`], [`behavior::balloon`], [`behavior::scent`] |
-//! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`] |
+//! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`], [`behavior::charging_hive`], [`behavior::forager`], [`behavior::balloon`], [`behavior::scent`] |
+//! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`], [`sensor::battery`], [`sensor::motor`], [`sensor::link`], [`sensor::clock`] |
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |
 //! | propagation | [`propagation::free_space`] |

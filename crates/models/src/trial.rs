@@ -8,7 +8,9 @@
 )]
 mod swarm;
 
-pub(crate) use swarm::{bee, model, mounted, run, setup, vehicle, with_sensor_of};
+pub(crate) use swarm::{
+    bee, model, mounted, run, setup, vehicle, with_battery, with_radio, with_sensor_of,
+};
 
 use simbeeotic_model::config::to_node;
 use simbeeotic_model::registry::{self, Kind, Label, Make, Part, SensorKit};
@@ -85,6 +87,10 @@ pub(crate) struct Trial {
     pub(crate) weather: Arc<dyn Weather>,
     /// Other models; the bee comes first, as `bee`.
     pub(crate) others: Vec<ModelPlan>,
+    /// The keys of its battery; none if empty.
+    pub(crate) battery: Vec<(&'static str, &'static str)>,
+    /// Whether it carries a CC2420.
+    pub(crate) radio: bool,
 }
 
 type Act<R> = Box<dyn FnMut(&mut Bee<'_>, Handle<R>) + Send>;
@@ -111,6 +117,8 @@ impl Trial {
             world: World::default(),
             weather: Arc::new(Calm),
             others: Vec::new(),
+            battery: Vec::new(),
+            radio: false,
         }
     }
 
@@ -134,7 +142,13 @@ impl Trial {
         plan.factory = make(&to_node(&timing)).expect("good parameters");
         let params: Vec<_> = self.params.iter().map(|(k, v)| (*k, v.as_str())).collect();
         let plan = with_sensor_of(plan, "sensor", self.kind, &params);
-        let plan = mounted(plan, self.mount, self.sampling);
+        let mut plan = mounted(plan, self.mount, self.sampling);
+        if !self.battery.is_empty() {
+            plan = with_battery(plan, &self.battery);
+        }
+        if self.radio {
+            plan = with_radio(plan);
+        }
         let mut models = vec![plan];
         models.extend(self.others);
         let setup = Setup {

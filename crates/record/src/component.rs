@@ -134,6 +134,9 @@ impl Component for RecorderComponent {
             return Ok(());
         };
         record_marks(recorder, view, &self.params).map_err(failed)?;
+        if self.params.events {
+            record_batteries(recorder, view, &self.bodies).map_err(failed)?;
+        }
         let samples = self.bodies.iter().map(|id| sample(view, *id));
         recorder.tick(view.now().nanos(), samples).map_err(failed)
     }
@@ -198,6 +201,39 @@ fn describe(path: &std::path::Path, stats: &RecordStats) -> String {
         _ => String::new(),
     };
     format!("{}, {size}, {} ticks{blocked}", path.display(), stats.ticks)
+}
+
+/// State of charge, voltage and current of each battery, as metrics.
+fn record_batteries(
+    recorder: &mut Recorder,
+    view: &View<'_>,
+    bodies: &[ModelId],
+) -> Result<(), RecordError> {
+    let mut values = Vec::new();
+    for id in bodies {
+        let Some(battery) = view.battery(*id) else {
+            continue;
+        };
+        let path = view.population().path(*id);
+        for (what, unit, value) in [
+            ("soc", "1", battery.soc),
+            ("voltage", "V", battery.voltage.get()),
+            ("current", "A", battery.current.get()),
+        ] {
+            values.push(Metric {
+                name: format!("{path}/battery/{what}"),
+                unit: unit.to_owned(),
+                value,
+            });
+        }
+    }
+    if values.is_empty() {
+        return Ok(());
+    }
+    recorder.metrics(Metrics {
+        time_ns: view.now().nanos(),
+        values,
+    })
 }
 
 fn sample(view: &View<'_>, id: ModelId) -> Sample {

@@ -43,6 +43,20 @@ fn the_world_of_the_book_stands_and_bees_of_its_shape_fly_in_it() {
 }
 
 #[test]
+fn the_battery_of_the_book_runs_down() {
+    let chapter = include_str!("../../../../docs/book/src/energy.md");
+    let block = chapter.split("```toml").nth(1).expect("a scenario");
+    let scenario = block.split("```").next().expect("a block ends");
+    let program = Program::new();
+    program.write("energy.toml", scenario);
+    let call = program.call(&["run", "energy.toml"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    // Half an ampere for five minutes are most of a fifth of 250 mAh, and more.
+    let said = format!("{}{}", call.out, call.err);
+    assert!(said.contains("empty 1 times"), "{said}");
+}
+
+#[test]
 fn the_sensors_of_the_book_are_read_and_recorded_beside_the_truth() {
     let chapter = include_str!("../../../../docs/book/src/sensors.md");
     let block = chapter.split("```toml").nth(1).expect("a scenario");
