@@ -19,7 +19,7 @@ const IMAGES: &str = "docs/images/gallery";
 /// A picture that is larger than this does not belong in a repository.
 const BYTES_MAX: u64 = 80 * 1024;
 /// The size of a picture.
-const SIZE: &str = "480x320";
+const SIZE: &str = "450x300";
 
 /// Draws all pictures, or those that are named, and writes the page.
 pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {

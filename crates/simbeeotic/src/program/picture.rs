@@ -289,18 +289,18 @@ fn looking(direction: DVec3) -> Attitude {
     Attitude::from_unit_quat(DQuat::from_mat3(&axes))
 }
 
-/// Squares of 1, 2 or 5 times a power of ten, of which some twenty go across what there is.
+/// Squares of 1, 2 or 5 times a power of ten, of which about eight go across what there is.
 fn chequer(scene: &Scene<'_>) -> Length {
     let Some([low, high]) = scene.bounds() else {
         return Length::si(1.0);
     };
-    let wanted = (high - low).truncate().max_element() / 20.0;
+    let wanted = (high - low).truncate().max_element() / 8.0;
     let edges = (-1..4).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10_f64.powi(power)));
     let mut edges = edges.skip_while(|edge| *edge < wanted);
     Length::si(edges.next().unwrap_or(1e4))
 }
 
-/// Depths as greys: the nearest is white, the farthest dark, what is not there black.
+/// Depths as greys, by their inverse: the nearest is white, the farthest dark, what is not there black.
 fn shown_depth(image: &Image) -> Image {
     let Pixels::Depth(metres) = &image.pixels else {
         return image.clone();
@@ -310,8 +310,9 @@ fn shown_depth(image: &Image) -> Image {
     let far = seen().fold(0.0, f32::max);
     let grey = |m: &f32| {
         if m.is_finite() {
-            let share = (m - near) / (far - near).max(1e-6);
-            (255.0 - 215.0 * share).round() as u8
+            // Disparities: what is near is told apart best.
+            let share = (m.recip() - far.recip()) / (near.recip() - far.recip()).max(1e-9);
+            (40.0 + 215.0 * share).round() as u8
         } else {
             0
         }

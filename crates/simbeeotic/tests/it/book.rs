@@ -125,3 +125,38 @@ fn a_recording_names_the_object_that_was_touched() {
     );
     assert_eq!(first.paths, ["bee"]);
 }
+
+#[test]
+fn the_camera_of_the_book_takes_pictures_that_are_exported() {
+    let page = include_str!("../../../../docs/book/src/camera.md");
+    let block = page.split("```toml").nth(1).expect("a scenario");
+    let scenario = block.split("```").next().expect("a block ends");
+    let program = Program::new();
+    program.write("eye.toml", scenario);
+    std::fs::create_dir(program.path("worlds")).expect("a folder");
+    let yard = include_str!("../../../../worlds/yard.toml");
+    program.write("worlds/yard.toml", yard);
+    let call = program.call(&["run", "eye.toml", "--quiet", "--end-time", "1 s"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let call = program.call(&["export", "eye.mcap", "--images", "frames"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    for channel in ["depth", "colour", "labels"] {
+        let name = format!("frames/bee/eye/{channel}-000000200000us.png");
+        let file = std::fs::read(program.path(&name)).expect("a picture");
+        assert_eq!(file[1..4], *b"PNG", "{name}");
+    }
+    let picture = [
+        "picture",
+        "worlds/yard.toml",
+        "-o",
+        "yard.png",
+        "--size",
+        "64x48",
+    ];
+    let call = program.call(&picture);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let wrong = [&picture[..], &["--kind", "smell"]].concat();
+    let call = program.call(&wrong);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("it is one of colour"), "{}", call.err);
+}
