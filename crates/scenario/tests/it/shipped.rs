@@ -337,3 +337,39 @@ fn every_sensor_of_the_original_is_read_with_its_properties_offset_and_pointing(
             .unwrap_or_else(|f| panic!("{}: {f:?}", sensor.class));
     }
 }
+
+/// Whatever the schema of scenarios lets one leave out.
+#[test]
+fn every_default_of_a_scenario_is_that_of_the_original() {
+    let gear = |tag: &str, class: &str| format!("<{tag}>{}</{tag}>", part(class, &[]).inside());
+    let text = format!(
+        "<scenario><simulation><end-time/></simulation><models>{}<model>{}{}{}</model></models></scenario>",
+        gear("model", "model.comms.FreeSpacePropagationModel"),
+        part("example.InstrumentBee", &[]).inside(),
+        gear("sensor", "model.sensor.DefaultCompass").replacen(
+            "<sensor>",
+            "<sensor name=\"compass\">",
+            1
+        ),
+        gear("radio", "model.comms.CC2420"),
+    );
+    let (loaded, said) = load("defaults.xml", &text);
+    assert!(said.contains("there is no `master-seed`"), "{said}");
+    let run = &loaded.plan().run;
+    assert_eq!(run.limits.end.as_secs_f64(), 1200.0);
+    assert_eq!((run.seed, run.epoch.get()), (1, 28_800.0));
+    let channel = &loaded.plan().channel.as_ref().expect("there is one").simple;
+    assert_eq!(
+        (channel.noise_floor.dbm(), channel.noise_sigma.db()),
+        (-100.0, 10.0)
+    );
+    assert_eq!(channel.range_limit.get(), 10.0);
+    assert_eq!(*loaded.plan().world, World::default());
+    let setup = loaded.setup().expect("good");
+    // One model, named after its part, at the origin; its compass looks ahead from the middle.
+    let paths: Vec<&str> = setup.models.iter().map(|m| m.path.as_str()).collect();
+    assert_eq!(paths, ["instrument-bee"]);
+    assert_eq!(setup.models[0].start, simbeeotic_units::Pose::default());
+    assert!(!loaded.toml().contains("mount"), "{}", loaded.toml());
+    assert!(!loaded.toml().contains("antenna"), "{}", loaded.toml());
+}
