@@ -23,7 +23,7 @@ fn worlds() -> Vec<(&'static str, String, [usize; 4])> {
     let slab = |i: usize, z: f64| {
         format!(
             r#"<structure><surface length="4" width="2" height="0.1" trap="{}" trapX="0.5" trapY="0.5" trapLength="1" trapWidth="0.5"><position x="{}" y="0" z="{z}"/></surface></structure>"#,
-            i % 3 == 0,
+            i.is_multiple_of(3),
             4 * i
         )
     };
