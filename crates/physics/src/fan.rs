@@ -174,6 +174,10 @@ impl Physics {
                     range_m,
                 } = *ray;
                 match Line::new(origin_enu, direction_enu, range_m) {
+                    // Too few to be worth a bundle.
+                    Ok(line) if run < RUN => {
+                        hits[first + place] = self.first_seen(&sight, &line, t, sees);
+                    }
                     Ok(line) => {
                         room.directions.push(line.direction);
                         room.places.push(place);
@@ -184,7 +188,9 @@ impl Physics {
                     }
                 }
             }
-            question.cast(ray.origin_enu, ray.range_m, &mut room, &mut hits[first..]);
+            if run == RUN {
+                question.cast(ray.origin_enu, ray.range_m, &mut room, &mut hits[first..]);
+            }
             begin += run;
         }
         Ok(())
