@@ -74,7 +74,7 @@ fn images(recording: &Recording, selection: &Selection, folder: &Path) -> Result
         }
         let count = counts.entry(picture.path.clone()).or_default();
         *count += 1;
-        if (*count - 1) % selection.every.get() != 0 {
+        if !(*count - 1).is_multiple_of(selection.every.get()) {
             continue;
         }
         // A path comes from a file: nothing leads out of the folder.

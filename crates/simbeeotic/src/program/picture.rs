@@ -295,7 +295,10 @@ fn chequer(scene: &Scene<'_>) -> Length {
         return Length::si(1.0);
     };
     let wanted = (high - low).truncate().max_element() / 8.0;
-    let edges = (-1..4).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10_f64.powi(power)));
+    let powers = [0.1, 1.0, 10.0, 100.0, 1e3];
+    let edges = powers
+        .into_iter()
+        .flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * power));
     let mut edges = edges.skip_while(|edge| *edge < wanted);
     Length::si(edges.next().unwrap_or(1e4))
 }
