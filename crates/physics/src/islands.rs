@@ -29,6 +29,7 @@ use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
+use crate::rotation;
 use crate::shape::form::Place;
 use glam::DVec3;
 use rapier3d_f64::dynamics::RigidBodyHandle;
@@ -98,6 +99,12 @@ impl Member {
     /// Whether somebody else has begun a new segment.
     pub(crate) fn changed(&self, motion: &Motion) -> bool {
         self.led.is_none_or(|led| led.motion.stamp != motion.stamp)
+    }
+
+    /// Whether somebody else has begun a new segment that says something new: a control law may say
+    /// again what held already.
+    pub(crate) fn changes(&self, motion: &Motion) -> bool {
+        self.changed(motion) && !self.led.is_some_and(|led| follows(&led.motion, motion))
     }
 
     /// How it moves at `t`: as the world says, and as its segment was changed since.
@@ -453,6 +460,18 @@ impl Physics {
 /// Whether two segments of a body at rest say the same.
 fn same(a: &Motion, b: &Motion) -> bool {
     (a.p, a.q, a.v, a.w, a.a, a.torque) == (b.p, b.q, b.v, b.w, b.a, b.torque)
+}
+
+/// Whether a later segment goes on as the one before, up to rounding: the same acts on the body, and it
+/// is where it would be.
+fn follows(before: &Motion, later: &Motion) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let t = later.start();
+    (before.a, before.torque) == (later.a, later.torque)
+        && before.position(t).distance(later.p) < ROUNDING
+        && before.velocity(t).distance(later.v) < ROUNDING
+        && before.rate(t).distance(later.w) < ROUNDING
+        && rotation::turn_between(before.attitude(t), later.q).length() < ROUNDING
 }
 
 /// How far a changed segment leads from the one written until that ends, m.

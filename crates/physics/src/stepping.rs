@@ -94,7 +94,7 @@ impl Physics {
         }
         let resting = |member: &Member| {
             let motion = &self.motions[member.id as usize];
-            member.resting && (driven(motion) || !member.changed(motion))
+            member.resting && (driven(motion) || !member.changes(motion))
         };
         let mut rests = vec![true; island.members.len()];
         for (place, member) in island.members.iter().enumerate() {
@@ -263,7 +263,7 @@ impl Physics {
                 member.at = at;
                 continue;
             };
-            let changed = member.changed(motion);
+            let (changed, news) = (member.changed(motion), member.changes(motion));
             if driven(motion) {
                 if displaced(member.at, at) {
                     world.set_place(body, at);
@@ -278,7 +278,7 @@ impl Physics {
                 }
                 world.set_sweep(body, sweep);
             }
-            if changed {
+            if news {
                 member.still_s = 0.0;
                 member.resting = false;
             }

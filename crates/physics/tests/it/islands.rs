@@ -282,3 +282,33 @@ fn boxes_land_and_lie_whatever_becomes_of_balls() {
         }
     }
 }
+
+/// A control law that says each tenth of a second what held already must not wake who lies on a box.
+#[test]
+fn who_is_told_again_what_it_knows_stays_asleep() {
+    let mut physics = Physics::new(Config::default());
+    let table = BodySpec {
+        mobility: Mobility::Fixed,
+        ..cube(0.5, [0.0, 0.0, 0.5])
+    };
+    physics.add(table).expect("a body");
+    let mut ids = Vec::new();
+    for (rolls, x) in [(false, 0.1), (true, -0.2)] {
+        let spec = BodySpec {
+            rolls,
+            ..ball(0.05, [x, 0.1, 1.2])
+        };
+        ids.push(physics.add(spec).expect("a body"));
+    }
+    ids.push(physics.add(cube(0.05, [0.3, -0.3, 1.2])).expect("a body"));
+    for step in 1..=100 {
+        run(&mut physics, 0.1 * f64::from(step));
+        for id in &ids {
+            command(&mut physics, *id, 0.1 * f64::from(step), |motion, t| {
+                motion.set_force(t, DVec3::ZERO).expect("a force");
+            });
+        }
+    }
+    let next = physics.next_time();
+    assert!(next.is_none_or(|next| next > seconds(10.2)), "{next:?}");
+}
