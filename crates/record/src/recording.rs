@@ -256,7 +256,8 @@ impl Recording {
                     reading: found_reading.reading,
                 };
                 let columns = reading.names.len().max(1);
-                if reading.reading.len() % columns != 0 || reading.truth.len() % columns != 0 {
+                let whole = |numbers: &[f64]| numbers.len().is_multiple_of(columns);
+                if !whole(&reading.reading) || !whole(&reading.truth) {
                     return Err(messages.damaged("a reading that is not whole rows"));
                 }
                 Ok(reading)

@@ -295,7 +295,7 @@ fn chequer(scene: &Scene<'_>) -> Length {
         return Length::si(1.0);
     };
     let wanted = (high - low).truncate().max_element() / 8.0;
-    let powers = [0.1, 1.0, 10.0, 100.0, 1e3];
+    let powers = [0.1, 1.0, 10.0, 100.0, 1000.0];
     let edges = powers
         .into_iter()
         .flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * power));

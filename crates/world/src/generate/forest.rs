@@ -409,7 +409,7 @@ mod tests {
                 let a = a.position.si();
                 assert!(a.length() >= clearing - 1e-6);
                 let near = |b: &&Obstacle| b.position.si().distance(a) < 2.0 - 1e-5;
-                assert!(!trunks[..i].iter().any(|b| near(b)));
+                assert!(!trunks[..i].iter().any(near));
             }
         }
     }

@@ -653,7 +653,8 @@ mod tests {
             let of_room = s.meta.get("room").is_some_and(|room| room == "1.03");
             match &mut s.shape {
                 StructureShape::Wall(wall) if of_room && !wall.doors.is_empty() => {
-                    Some(wall.doors.clear())
+                    wall.doors.clear();
+                    Some(())
                 }
                 _ => None,
             }
