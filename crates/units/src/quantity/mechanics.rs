@@ -264,7 +264,7 @@ mod tests {
         );
         assert_eq!("1 h".parse(), Ok(Time::si(3600.0)));
         assert_eq!("-3 g".parse(), Ok(Acceleration::si(-3.0 * 9.80665)));
-        assert_eq!("160 ug".parse(), Ok(Acceleration::si(160.0 * 9.80665e-6)));
+        assert_eq!("500 mg".parse(), Ok(Acceleration::si(0.5 * 9.80665)));
         assert_eq!("100 ms".parse(), Ok(Time::si(0.1)));
     }
 
