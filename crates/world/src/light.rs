@@ -43,7 +43,7 @@ pub struct Light {
 pub struct Beam {
     /// The beam's axis: east, north, up, of any length but 0.
     pub direction: [f64; 3],
-    /// The angle from the axis at which half of the intensity is left: above 0, up to 60 degrees.
+    /// The angle from the axis at which half of the intensity is left: 0.1 to 60 degrees.
     pub half_angle: Angle,
 }
 
@@ -59,6 +59,9 @@ impl Default for Light {
         }
     }
 }
+
+/// A narrower beam has no exponent that numbers hold.
+const NARROWEST_DEG: f64 = 0.1;
 
 impl Light {
     /// What falls on a surface at a place that faces the lamp.
@@ -107,9 +110,10 @@ impl Light {
             }
             let degrees = beam.half_angle.degrees();
             // A little more than 60 is what 60 degrees may be in radians.
-            if !(degrees > 0.0 && degrees <= 60.0 + 1e-9) {
-                let message =
-                    format!("a half angle lies above 0 deg and up to 60 deg, not at {degrees} deg");
+            if !(degrees >= NARROWEST_DEG && degrees <= 60.0 + 1e-9) {
+                let message = format!(
+                    "a half angle lies between {NARROWEST_DEG} deg and 60 deg, not at {degrees:.4} deg"
+                );
                 faults.push(("beam.half_angle", message));
             }
         }
@@ -254,6 +258,7 @@ mod tests {
             ["intensity", "beam.direction", "beam.half_angle"]
         );
         assert_eq!(keys(bad(1.0, Some(beam(up, 61.0)))), ["beam.half_angle"]);
+        assert_eq!(keys(bad(1.0, Some(beam(up, 1e-7)))), ["beam.half_angle"]);
         assert!(keys(bad(0.0, Some(beam(up, 60.0)))).is_empty());
     }
 }

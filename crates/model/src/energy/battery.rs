@@ -327,6 +327,17 @@ fn battery(p: &BatteryParams) -> Result<Battery, BuildError> {
     in_range("charge", p.charge, 0.0..=1.0)?;
     in_range("low", p.low, 0.0..=1.0)?;
     let full_v = f64::from(cells) * curve.full_v();
+    // Five times the capacity an hour would leave no voltage.
+    let most_ohm = full_v / (5.0 * capacity.get() / 3600.0);
+    if resistance_ohm > most_ohm {
+        let message = format!(
+            "must be at most {:.3} for {capacity} and {:.1} V, or no load is left any voltage; it is {}",
+            Resistance::si(most_ohm),
+            full_v,
+            Resistance::si(resistance_ohm)
+        );
+        return Err(BuildError::parameter("internal_resistance", message));
+    }
     let cutoff = p.cutoff.unwrap_or(Voltage::si(preset.cutoff_v * share));
     at_least_zero("cutoff", cutoff)?;
     if cutoff.get() >= full_v {
@@ -345,13 +356,19 @@ fn battery(p: &BatteryParams) -> Result<Battery, BuildError> {
         let message = format!("must be at least 0 and below 1, and is {reserve}");
         return Err(BuildError::parameter("reserve", message));
     }
+    if p.low < reserve {
+        let message = format!(
+            "must be at least the reserve of {reserve}, or it is never told; it is {}",
+            p.low
+        );
+        return Err(BuildError::parameter("low", message));
+    }
     if reserve == 0.0 && p.on_empty == OnEmpty::Land {
         let message = "must be above 0: landing draws from it";
         return Err(BuildError::parameter("reserve", message));
     }
     let efficiency = p.charge_efficiency.unwrap_or(1.0);
-    positive("charge_efficiency", efficiency)?;
-    in_range("charge_efficiency", efficiency, 0.0..=1.0)?;
+    in_range("charge_efficiency", efficiency, 0.01..=1.0)?;
     let inflow = match p.max_charge_current {
         Some(current) => current,
         None => Current::si(preset.charge_c_rate * capacity.get() / 3600.0),
@@ -440,7 +457,7 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_refused_by_name() {
         type Change = fn(&mut BatteryParams);
-        let bad: [(&str, Change); 24] = [
+        let bad: [(&str, Change); 27] = [
             ("capacity", |p| p.capacity = Some(Charge::ZERO)),
             ("capacity", |p| p.capacity = Some(Charge::si(-1.0))),
             ("capacity", |p| p.preset = BatteryPreset::Ideal),
@@ -456,6 +473,11 @@ mod tests {
             ("internal_resistance", |p| {
                 p.internal_resistance = Some(Resistance::si(f64::NAN));
             }),
+            ("internal_resistance", |p| {
+                p.internal_resistance = Some(Resistance::si(1000.0));
+            }),
+            ("low", |p| (p.low, p.reserve) = (0.2, Some(0.5))),
+            ("charge_efficiency", |p| p.charge_efficiency = Some(1e-18)),
             ("curve", |p| p.curve = Some(vec![(0.0, Voltage::si(3.0))])),
             ("charge", |p| p.charge = 1.5),
             ("charge", |p| p.charge = f64::NAN),

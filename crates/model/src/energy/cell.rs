@@ -201,7 +201,14 @@ impl Cell {
             };
             taken_c = inflow_a * dt;
             let stored_j = self.stored_j(battery) - before.stored_j(battery);
-            mean_v = stored_j / (self.charge_c - before.charge_c) + ohm * inflow_a;
+            let gained_c = self.charge_c - before.charge_c;
+            // A gain below the last digit of the charge is none.
+            let open_v = if gained_c > 0.0 {
+                stored_j / gained_c
+            } else {
+                self.open_v(battery)
+            };
+            mean_v = open_v + ohm * inflow_a;
         }
         let stored_j = self.stored_j(battery) - before.stored_j(battery);
         self.heat_j += mean_v * taken_c - stored_j;

@@ -189,7 +189,9 @@ pub(super) fn summary(summary: &Summary, ended: &str) -> String {
         }
         let used: f64 = Consumer::ALL.iter().filter_map(joules).sum();
         let total = three_digits(used + all.heat_j);
-        line("energy", format!("{total} J: {}", shares.join(", ")));
+        if !shares.is_empty() {
+            line("energy", format!("{total} J: {}", shares.join(", ")));
+        }
         line(
             "batteries",
             format!(
