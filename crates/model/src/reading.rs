@@ -1,12 +1,14 @@
 //! Readings: what sensors give, in a form that can be recorded.
 
 use crate::image::Image;
+use crate::message::Thing;
 use simbeeotic_units::{
     Acceleration, Angle, AngularRate, Attitude, Charge, Concentration, Current, Decibels, Density,
     Energy, Force, Frame, Frequency, Heading, Illuminance, Length, MagneticField, Pose, Power,
     PowerLevel, Pressure, Quantity, RainRate, Resistance, Speed, Temperature, Time, Torque, Twist,
     V3, VectorQuantity, Voltage,
 };
+use simbeeotic_world::ObjectKind;
 
 /// One column of a recorded reading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +50,10 @@ impl Column {
 pub trait Reading: Clone + Send + Sync + 'static {
     /// What the numbers are. A reading of varying length (the points of a scan) repeats them.
     const COLUMNS: &'static [Column];
+
+    /// Whether a row of it stands for the same as this row of the true one: the same beam of a scan. If
+    /// not, as for things that were found, recorders keep the two lists apart.
+    const PAIRED: bool = true;
 
     /// Appends its numbers, a multiple of as many as there are columns. What is not there (nothing
     /// in range) is NaN.
@@ -122,9 +128,46 @@ impl Reading for bool {
     }
 }
 
+/// Who or what it is.
+///
+/// | `kind` | what | `index` |
+/// |---|---|---|
+/// | 0 | the flat ground | 0 |
+/// | 1 | a model | its number |
+/// | 2, 3, 4, 5, 6 | an obstacle, structure, flower, person, the terrain | which one of the world's file |
+///
+/// `item` is the flower of a patch, 0 for all else. All count from 0.
+impl Reading for Thing {
+    const COLUMNS: &'static [Column] = &[
+        Column::new("kind", "1"),
+        Column::new("index", "1"),
+        Column::new("item", "1"),
+    ];
+
+    fn numbers(&self, to: &mut Vec<f64>) {
+        to.extend(match self {
+            Self::Ground => [0.0; 3],
+            Self::Model(id) => [1.0, f64::from(id.0), 0.0],
+            Self::Object(object) => [
+                match object.kind {
+                    ObjectKind::Obstacle => 2.0,
+                    ObjectKind::Structure => 3.0,
+                    ObjectKind::Flower => 4.0,
+                    ObjectKind::Person => 5.0,
+                    ObjectKind::Terrain => 6.0,
+                    _ => f64::NAN,
+                },
+                f64::from(object.index),
+                f64::from(object.item),
+            ],
+        });
+    }
+}
+
 /// What is not there (nothing in range) is NaN in each column.
 impl<R: Reading> Reading for Option<R> {
     const COLUMNS: &'static [Column] = R::COLUMNS;
+    const PAIRED: bool = R::PAIRED;
 
     fn numbers(&self, to: &mut Vec<f64>) {
         match self {
@@ -138,9 +181,11 @@ impl<R: Reading> Reading for Option<R> {
     }
 }
 
-/// One after the other: a scan, the neighbours in sight.
+/// One after the other: the neighbours in sight. A reading may miss some of the true ones, so the two are
+/// not [paired](Reading::PAIRED); a scan is a type of its own.
 impl<R: Reading> Reading for Vec<R> {
     const COLUMNS: &'static [Column] = R::COLUMNS;
+    const PAIRED: bool = false;
 
     fn numbers(&self, to: &mut Vec<f64>) {
         for reading in self {
@@ -236,5 +281,39 @@ mod tests {
         let scan = vec![Some(Length::si(1.0)), None];
         let (numbers, _) = row(&scan);
         assert!(numbers[0] == 1.0 && numbers[1].is_nan());
+    }
+
+    #[test]
+    fn a_thing_is_told_from_all_others() {
+        use simbeeotic_kernel::ModelId;
+        use simbeeotic_world::ObjectId;
+        let kinds = [
+            ObjectKind::Obstacle,
+            ObjectKind::Structure,
+            ObjectKind::Flower,
+            ObjectKind::Person,
+            ObjectKind::Terrain,
+        ];
+        let objects = kinds.map(|kind| Thing::Object(ObjectId::new(kind, 3)));
+        let mut rows: Vec<_> = [Thing::Ground, Thing::Model(ModelId(3))]
+            .iter()
+            .chain(&objects)
+            .map(|thing| row(thing).0)
+            .collect();
+        assert_eq!(rows[1], [1.0, 3.0, 0.0]);
+        rows.dedup();
+        assert_eq!(rows.len(), 7);
+        let nobody = row(&None::<Thing>).0;
+        assert!(nobody.len() == 3 && nobody.iter().all(|n| n.is_nan()));
+    }
+
+    #[test]
+    fn lists_of_what_was_found_are_not_paired_with_the_truth() {
+        let paired = [
+            <Vec<Length>>::PAIRED,
+            <Option<Length>>::PAIRED,
+            <Option<Vec<Length>>>::PAIRED,
+        ];
+        assert_eq!(paired, [false, true, false]);
     }
 }

@@ -137,16 +137,18 @@ impl<R: Clone> Sampler<R> {
         Time::from_nanos(self.delay as f64)
     }
 
-    /// Takes the sample that is due at `now`, if one is.
+    /// Takes the sample that is due at `now`, if one is. Whether it is lost.
     pub(crate) fn sample(
         &mut self,
         now: SimTime,
         rng: &mut Stream,
         measure: impl FnOnce(&mut Stream) -> R,
-    ) {
-        let Some(period) = self.period else { return };
+    ) -> bool {
+        let Some(period) = self.period else {
+            return false;
+        };
         if self.next > now {
-            return;
+            return false;
         }
         while self.next <= now {
             self.next = match self.next.checked_add_nanos(period) {
@@ -159,11 +161,13 @@ impl<R: Clone> Sampler<R> {
         }
         let first = self.newest.is_none() && self.under_way.is_empty();
         let reading = measure(rng);
-        if !self.lost(first, rng) {
+        let lost = self.lost(first, rng);
+        if !lost {
             let taken = now;
             self.under_way.push_back(Sample { taken, reading });
         }
         self.arrive(now);
+        lost
     }
 
     fn lost(&self, first: bool, rng: &mut Stream) -> bool {
@@ -189,34 +193,36 @@ impl<R: Clone> Sampler<R> {
     }
 
     /// What a behaviour reads at `now`: of a sensor with a rate the newest sample that has arrived;
-    /// before the first has arrived, that one; before it is taken, a reading of its own.
+    /// before the first has arrived, that one; before it is taken, a reading of its own. And whether
+    /// what was measured for this is lost: it is then the last one again.
     pub(crate) fn read(
         &mut self,
         now: SimTime,
         rng: &mut Stream,
         measure: impl FnOnce(&mut Stream) -> R,
-    ) -> Sample<R> {
+    ) -> (Sample<R>, bool) {
         if self.period.is_some() {
             self.arrive(now);
             let newest = self.newest.as_ref().or_else(|| self.under_way.front());
-            return match newest {
+            let sample = match newest {
                 Some(sample) => sample.clone(),
                 None => Sample {
                     taken: now,
                     reading: measure(rng),
                 },
             };
+            return (sample, false);
         }
         let reading = measure(rng);
         match &self.newest {
-            Some(last) if self.lost(false, rng) => last.clone(),
+            Some(last) if self.lost(false, rng) => (last.clone(), true),
             _ => {
                 let sample = Sample {
                     taken: now,
                     reading,
                 };
                 self.newest = Some(sample.clone());
-                sample
+                (sample, false)
             }
         }
     }
@@ -247,13 +253,13 @@ mod tests {
         for step in 0..8 {
             let now = SimTime::from_millis(10 * step);
             sampler.sample(now, &mut rng, |_| step);
-            read.push(sampler.read(now, &mut rng, |_| 99).reading);
+            read.push(sampler.read(now, &mut rng, |_| 99).0.reading);
         }
         // Before the first has arrived at 25 ms it is the first all the same.
         assert_eq!(read, [0, 0, 0, 0, 1, 2, 3, 4]);
         let now = SimTime::from_millis(95);
         assert!(sampler.arrives(now) && !sampler.arrives(SimTime::from_millis(96)));
-        let sample = sampler.read(now, &mut rng, |_| 99);
+        let (sample, _) = sampler.read(now, &mut rng, |_| 99);
         assert_eq!(sample.taken, SimTime::from_millis(70));
     }
 
@@ -269,8 +275,10 @@ mod tests {
             let (mut fresh, n) = (0, 100_000);
             for step in 0..n {
                 let now = SimTime::from_millis(step);
-                sampler.sample(now, &mut rng, |_| step);
-                fresh += u64::from(sampler.read(now, &mut rng, |_| step).reading == step);
+                let lost = sampler.sample(now, &mut rng, |_| step);
+                let (sample, again) = sampler.read(now, &mut rng, |_| step);
+                assert_eq!(sample.reading == step, !(lost || again));
+                fresh += u64::from(sample.reading == step);
                 assert!(step > 0 || fresh == 1, "the first is lost");
             }
             let share = fresh as f64 / n as f64;

@@ -148,12 +148,57 @@ pub trait AnySensor: Send {
 pub struct Taken {
     /// What the numbers are, repeated as often as there are rows.
     pub columns: &'static [Column],
+    /// Whether a row of the reading is about the same as this row of the truth; see
+    /// [`Reading::PAIRED`].
+    pub paired: bool,
     /// What a perfect sensor would have read.
     pub ideal: Vec<f64>,
-    /// What this one read.
+    /// What this one read: what the behaviour gets. Empty if it gets nothing.
     pub reading: Vec<f64>,
+    /// The pictures that a perfect sensor would have taken, by name.
+    pub ideal_images: Vec<(&'static str, Image)>,
     /// The pictures in the reading, by name.
     pub images: Vec<(&'static str, Image)>,
+    /// Whether this measurement is lost by drop-out. The reading is then empty; of a sensor that is
+    /// read on demand it is the last one again.
+    pub lost: bool,
+}
+
+impl Taken {
+    fn new<R: Reading>(ideal: &R, reading: &R) -> Self {
+        let mut taken = Self {
+            columns: R::COLUMNS,
+            paired: R::PAIRED,
+            ideal: Vec::new(),
+            reading: Vec::new(),
+            ideal_images: pictures(ideal),
+            images: Vec::new(),
+            lost: false,
+        };
+        ideal.numbers(&mut taken.ideal);
+        taken.hand_over(reading);
+        taken
+    }
+
+    /// The behaviour gets nothing of it, or `instead`.
+    fn lose<R: Reading>(&mut self, instead: Option<&R>) {
+        self.lost = true;
+        self.reading.clear();
+        self.images.clear();
+        if let Some(instead) = instead {
+            self.hand_over(instead);
+        }
+    }
+
+    fn hand_over<R: Reading>(&mut self, reading: &R) {
+        reading.numbers(&mut self.reading);
+        self.images = pictures(reading);
+    }
+}
+
+fn pictures<R: Reading>(reading: &R) -> Vec<(&'static str, Image)> {
+    let images = reading.images().into_iter();
+    images.map(|(name, image)| (name, image.clone())).collect()
 }
 
 pub(crate) struct Mounted<S: Sensor> {
@@ -178,18 +223,7 @@ fn measure<S: Sensor>(sensor: &mut S, truth: &mut Truth<'_>, rng: &mut Stream) -
         return sensor.measure(ideal, truth, rng);
     }
     let reading = sensor.measure(ideal.clone(), truth, rng);
-    let mut taken = Taken {
-        columns: S::Reading::COLUMNS,
-        ideal: Vec::new(),
-        reading: Vec::new(),
-        images: Vec::new(),
-    };
-    ideal.numbers(&mut taken.ideal);
-    reading.numbers(&mut taken.reading);
-    for (name, image) in reading.images() {
-        taken.images.push((name, image.clone()));
-    }
-    truth.taken = Some(Box::new(taken));
+    truth.taken = Some(Box::new(Taken::new(&ideal, &reading)));
     reading
 }
 
@@ -204,7 +238,13 @@ impl<S: Sensor> AnySensor for Mounted<S> {
             ..
         } = self;
         let sample = match sampler {
-            Some(sampler) => sampler.read(now, stream, |rng| measure(sensor, truth, rng)),
+            Some(sampler) => {
+                let (sample, lost) = sampler.read(now, stream, |rng| measure(sensor, truth, rng));
+                if lost && let Some(noted) = &mut truth.taken {
+                    noted.lose(Some(&sample.reading));
+                }
+                sample
+            }
             None => Sample {
                 taken: now,
                 reading: measure(sensor, truth, stream),
@@ -231,8 +271,11 @@ impl<S: Sensor> AnySensor for Mounted<S> {
             stream,
             ..
         } = self;
-        if let Some(sampler) = sampler {
-            sampler.sample(now, stream, |rng| measure(sensor, truth, rng));
+        if let Some(sampler) = sampler
+            && sampler.sample(now, stream, |rng| measure(sensor, truth, rng))
+            && let Some(noted) = &mut truth.taken
+        {
+            noted.lose::<S::Reading>(None);
         }
     }
 

@@ -9,10 +9,11 @@ use simbeeotic_model::check::positive;
 use simbeeotic_model::kernel::ModelId;
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
-    BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, Taken, Thing, View,
-    choice, component, params,
+    BuildError, Component, ComponentError, FromParams, Image, Mark, Note, Pixels, Summary, Taken,
+    Thing, View, choice, component, params,
 };
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Records the run: poses and twists of all bodies at regular times, touches, log lines, metrics.
 ///
@@ -315,19 +316,49 @@ fn record_marks(
     Ok(())
 }
 
+/// The pictures of a perfect sensor that differ from those of this one.
+fn true_pictures(taken: &Taken) -> impl Iterator<Item = &(&'static str, Image)> {
+    taken.ideal_images.iter().filter(|(name, truth)| {
+        let mut images = taken.images.iter();
+        let read = images.find(|(other, _)| other == name);
+        read.is_none_or(|(_, image)| !same(image, truth))
+    })
+}
+
+/// Pictures without noise share their pixels with the true ones: no pixel is looked at then.
+fn same(a: &Image, b: &Image) -> bool {
+    let shared = match (&a.pixels, &b.pixels) {
+        (Pixels::Grey(a), Pixels::Grey(b)) | (Pixels::Colour(a), Pixels::Colour(b)) => {
+            Arc::ptr_eq(a, b)
+        }
+        (Pixels::Depth(a), Pixels::Depth(b)) => Arc::ptr_eq(a, b),
+        (Pixels::Labels(a), Pixels::Labels(b)) => Arc::ptr_eq(a, b),
+        _ => false,
+    };
+    shared && (a.width, a.height) == (b.width, b.height) || a == b
+}
+
 fn record_reading(
     recorder: &mut Recorder,
     time_ns: u64,
     sensor: String,
     taken: &Taken,
 ) -> Result<(), RecordError> {
+    let path = |name: &str| match name {
+        "" => sensor.clone(),
+        name => format!("{sensor}/{name}"),
+    };
     for (name, image) in &taken.images {
         recorder.picture(Picture {
             time_ns,
-            path: match *name {
-                "" => sensor.clone(),
-                name => format!("{sensor}/{name}"),
-            },
+            path: path(name),
+            image: image.clone(),
+        })?;
+    }
+    for (name, image) in true_pictures(taken) {
+        recorder.picture(Picture {
+            time_ns,
+            path: format!("{}/truth", path(name)),
             image: image.clone(),
         })?;
     }
@@ -348,5 +379,55 @@ fn record_reading(
         units: words(|column| column.unit),
         truth: taken.ideal.clone(),
         reading: taken.reading.clone(),
+        lost: taken.lost,
+        unpaired: !taken.paired,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(grey: &[u8]) -> Image {
+        Image {
+            width: grey.len() as u32,
+            height: 1,
+            pixels: Pixels::Grey(grey.into()),
+        }
+    }
+
+    fn taken(
+        ideal_images: Vec<(&'static str, Image)>,
+        images: Vec<(&'static str, Image)>,
+    ) -> Taken {
+        Taken {
+            columns: &[],
+            paired: true,
+            ideal: Vec::new(),
+            reading: Vec::new(),
+            ideal_images,
+            images,
+            lost: false,
+        }
+    }
+
+    fn names(taken: &Taken) -> Vec<&'static str> {
+        true_pictures(taken).map(|(name, _)| *name).collect()
+    }
+
+    #[test]
+    fn a_true_picture_is_kept_where_it_differs() {
+        let (clear, noisy) = (picture(&[1, 2, 3]), picture(&[1, 2, 4]));
+        let both = vec![("grey", clear.clone()), ("labels", clear.clone())];
+        let read = vec![("grey", noisy), ("labels", clear)];
+        assert_eq!(names(&taken(both.clone(), read)), ["grey"]);
+        // The same pixels elsewhere are the same picture.
+        let copy = vec![
+            ("grey", picture(&[1, 2, 3])),
+            ("labels", picture(&[1, 2, 3])),
+        ];
+        assert_eq!(names(&taken(both.clone(), copy)), [""; 0]);
+        // Nothing was handed over.
+        assert_eq!(names(&taken(both, Vec::new())), ["grey", "labels"]);
+    }
 }

@@ -142,7 +142,8 @@ pub struct Metrics {
 /// A reading of several rows (the points of a scan) has its columns as often as it has rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Virtual time since the start of the run, ns.
+    /// Virtual time of the measurement since the start of the run, ns. It arrives the sensor's delay
+    /// later.
     pub time_ns: u64,
     /// Path of the sensor: `bee-17/imu`.
     pub sensor: String,
@@ -152,8 +153,14 @@ pub struct Reading {
     pub units: Vec<String>,
     /// What a perfect sensor would have read, row by row. NaN where there was nothing to read.
     pub truth: Vec<f64>,
-    /// What it read.
+    /// What it read: what the behaviour gets, after the sensor's delay. Empty if it gets nothing.
     pub reading: Vec<f64>,
+    /// Whether this measurement was lost by drop-out. `reading` is then empty, or, of a sensor that is
+    /// read on demand, the last one again.
+    pub lost: bool,
+    /// Whether the rows of truth and reading are of different things, row by row: lists of what was
+    /// found.
+    pub unpaired: bool,
 }
 
 /// A picture that a sensor took.

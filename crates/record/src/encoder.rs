@@ -194,6 +194,8 @@ impl Encoder {
             units: reading.units,
             truth: reading.truth,
             reading: reading.reading,
+            lost: reading.lost,
+            unpaired: reading.unpaired,
         };
         self.message(Topic::Readings, time_ns, &message)
     }

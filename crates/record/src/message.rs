@@ -148,6 +148,10 @@ pub(crate) struct Reading {
     pub(crate) truth: Vec<f64>,
     #[prost(double, repeated, tag = "6")]
     pub(crate) reading: Vec<f64>,
+    #[prost(bool, tag = "7")]
+    pub(crate) lost: bool,
+    #[prost(bool, tag = "8")]
+    pub(crate) unpaired: bool,
 }
 
 /// `foxglove.RawImage`

@@ -254,6 +254,8 @@ impl Recording {
                     units: found_reading.units,
                     truth: found_reading.truth,
                     reading: found_reading.reading,
+                    lost: found_reading.lost,
+                    unpaired: found_reading.unpaired,
                 };
                 let columns = reading.names.len().max(1);
                 let whole = |numbers: &[f64]| numbers.len().is_multiple_of(columns);

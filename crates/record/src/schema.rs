@@ -70,6 +70,7 @@ impl Field {
             Kind::Int64 => (3, None),
             Kind::Int32 => (5, None),
             Kind::Fixed32 => (7, None),
+            Kind::Bool => (8, None),
             Kind::Text => (9, None),
             Kind::Bytes => (12, None),
             Kind::Message(name) => (11, Some(name.into())),
@@ -93,6 +94,7 @@ enum Kind {
     Int64,
     Int32,
     Fixed32,
+    Bool,
     Text,
     Bytes,
     Message(&'static str),
@@ -284,6 +286,8 @@ pub(crate) static READING: Type = Type {
         many("units", 4, Kind::Text),
         many("truth", 5, Kind::Double),
         many("reading", 6, Kind::Double),
+        one("lost", 7, Kind::Bool),
+        one("unpaired", 8, Kind::Bool),
     ],
     enums: &[],
 };
@@ -406,7 +410,7 @@ mod tests {
             }
             (Kind::Double, _) => WireType::SixtyFourBit,
             (Kind::Float | Kind::Fixed32, _) => WireType::ThirtyTwoBit,
-            (Kind::Int64 | Kind::Int32 | Kind::Enum(_), _) => WireType::Varint,
+            (Kind::Int64 | Kind::Int32 | Kind::Bool | Kind::Enum(_), _) => WireType::Varint,
         };
         ty.fields
             .iter()
@@ -481,6 +485,8 @@ mod tests {
             units: vec![text()],
             truth: vec![1.0],
             reading: vec![1.0],
+            lost: true,
+            unpaired: true,
         };
         let image = message::RawImage {
             timestamp,

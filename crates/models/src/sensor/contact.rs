@@ -28,17 +28,22 @@ impl Bump {
     }
 }
 
+/// Of what is touched: see [`Thing`] as a reading. Nothing is NaN.
 impl Reading for Bump {
     const COLUMNS: &'static [Column] = &[
         Column::new("touching", "1"),
         Column::new("touched", "1"),
         Column::new("impulse", "N s"),
+        Column::new("kind", "1"),
+        Column::new("index", "1"),
+        Column::new("item", "1"),
     ];
 
     fn numbers(&self, to: &mut Vec<f64>) {
         let number = |is: bool| f64::from(u8::from(is));
         let impulse = self.impulse.get();
         to.extend([number(self.touching), number(self.touched), impulse]);
+        self.other.numbers(to);
     }
 }
 
@@ -149,6 +154,19 @@ mod tests {
 
     /// A bounce lasts no time: only its event tells of it. It is told once, and with its impulse,
     /// m v (1 + e).
+    #[test]
+    fn a_recorded_bump_says_of_what_it_is() {
+        let mut row = Vec::new();
+        Bump {
+            touching: true,
+            other: Some(Thing::Ground),
+            ..Bump::default()
+        }
+        .numbers(&mut row);
+        assert_eq!(row, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(Bump::COLUMNS[3..], *<Thing as Reading>::COLUMNS);
+    }
+
     #[test]
     fn a_bounce_between_two_readings_is_not_missed_and_told_once() {
         for (yaw, mine) in [(0.0, true), (180.0, false), (30.0, false)] {

@@ -54,8 +54,12 @@ impl Sighting {
     }
 }
 
+/// A false alarm is NaN in `kind`, `index` and `item`; see [`Thing`] as a reading.
 impl Reading for Sighting {
     const COLUMNS: &'static [Column] = &[
+        Column::new("kind", "1"),
+        Column::new("index", "1"),
+        Column::new("item", "1"),
         Column::new("x", "m"),
         Column::new("y", "m"),
         Column::new("z", "m"),
@@ -63,6 +67,7 @@ impl Reading for Sighting {
     ];
 
     fn numbers(&self, to: &mut Vec<f64>) {
+        self.thing.numbers(to);
         to.extend(self.position.si().to_array());
         to.push(self.count);
     }
@@ -228,6 +233,25 @@ mod tests {
 
     fn rng() -> Stream {
         Stream::new(5, "bee/person", "noise")
+    }
+
+    #[test]
+    fn a_recorded_sighting_says_of_what_it_is() {
+        use simbeeotic_model::world::{ObjectId, ObjectKind};
+        let mut sighting = Sighting {
+            thing: Some(Thing::Object(ObjectId::new(ObjectKind::Person, 2))),
+            position: Offset::from_xyz(1.0, 2.0, 3.0),
+            count: 1.0,
+        };
+        assert_eq!(Sighting::COLUMNS[..3], *<Thing as Reading>::COLUMNS);
+        let mut row = Vec::new();
+        sighting.numbers(&mut row);
+        assert_eq!(row, [5.0, 2.0, 0.0, 1.0, 2.0, 3.0, 1.0]);
+        sighting.thing = None;
+        row.clear();
+        sighting.numbers(&mut row);
+        assert!(row.len() == 7 && row[..3].iter().all(|n| n.is_nan()));
+        const { assert!(!<Vec<Sighting> as Reading>::PAIRED) };
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod agents;
 mod energy;
 mod flight;
 mod pushes;
+mod recorded;
 mod refusals;
 mod sight;
 mod solid;

@@ -9,8 +9,16 @@
 //! | `row` | 1 | the row of a reading that has several: the beam of a scan, from 0 |
 //! | `quantity` | | the column of the reading: `forward`; empty for a single number |
 //! | `unit` | | its SI unit; `1` for counts |
-//! | `truth` | as said | what a perfect sensor would have read; empty where a reading has more rows |
-//! | `reading` | as said | what it read; `NaN` where there was nothing to read |
+//! | `truth` | as said | what a perfect sensor would have read; empty in a row of the reading alone |
+//! | `reading` | as said | what it read; `NaN` where there was nothing to read; empty in a row of the truth alone |
+//! | `lost` | 1 | 1 if this measurement was lost by drop-out, else 0 |
+//!
+//! Of a list of things that were found (neighbours, flowers, ranges to anchors) no row of the reading is
+//! about the same as the row of the truth with its number. Such readings have rows of the truth first, each
+//! without a reading, then rows of the reading, each without a truth.
+//!
+//! A lost measurement has no reading; of a sensor that is read on demand it has the last one again, which is
+//! what the behaviour got.
 
 use super::csv::{quoted, write_file};
 use super::{ExportError, Exported, seconds};
@@ -36,7 +44,7 @@ pub fn export_readings(
     let mut exported = Exported::default();
     let mut seen: BTreeMap<String, u64> = BTreeMap::new();
     let mut used = BTreeSet::new();
-    let mut text = String::from("time_s,time_ns,sensor,row,quantity,unit,truth,reading\n");
+    let mut text = String::from("time_s,time_ns,sensor,row,quantity,unit,truth,reading,lost\n");
     for reading in recording.readings_in(selection.times_ns.clone()) {
         let reading = reading?;
         let count = seen.entry(reading.sensor.clone()).or_default();
@@ -82,21 +90,29 @@ fn rows(text: &mut String, reading: &Reading) -> u64 {
         quoted(&reading.sensor)
     );
     let columns = reading.names.len().max(1);
-    let count = reading.reading.len().max(reading.truth.len());
-    for at in 0..count {
-        let (row, column) = (at / columns, at % columns);
-        let word = |words: &[String]| words.get(column).map_or(String::new(), |w| quoted(w));
-        let number = |numbers: &[f64]| numbers.get(at).map_or(String::new(), f64::to_string);
-        let _ = writeln!(
-            text,
-            "{start},{row},{},{},{},{}",
-            word(&reading.names),
-            word(&reading.units),
-            number(&reading.truth),
-            number(&reading.reading)
-        );
+    let mut list = |truth: &[f64], read: &[f64]| {
+        let count = read.len().max(truth.len());
+        for at in 0..count {
+            let (row, column) = (at / columns, at % columns);
+            let word = |words: &[String]| words.get(column).map_or(String::new(), |w| quoted(w));
+            let number = |numbers: &[f64]| numbers.get(at).map_or(String::new(), f64::to_string);
+            let _ = writeln!(
+                text,
+                "{start},{row},{},{},{},{},{}",
+                word(&reading.names),
+                word(&reading.units),
+                number(truth),
+                number(read),
+                u8::from(reading.lost)
+            );
+        }
+        count as u64
+    };
+    if reading.unpaired {
+        list(&reading.truth, &[]) + list(&[], &reading.reading)
+    } else {
+        list(&reading.truth, &reading.reading)
     }
-    count as u64
 }
 
 /// Writes the selected readings as a CSV file, published by [`crate::publish`]: never torn. See

@@ -15,6 +15,7 @@ fn reading(sensor: &str, step: u64) -> Reading {
         units: vec!["m/s^2".into(); 2],
         truth: vec![value, -value],
         reading: vec![value + 0.5, f64::NAN],
+        ..Reading::default()
     }
 }
 
@@ -83,11 +84,11 @@ fn the_table_has_a_row_for_each_number() {
     assert_eq!(
         lines,
         [
-            "time_s,time_ns,sensor,row,quantity,unit,truth,reading",
-            "0,0,bee-1/imu,0,forward,m/s^2,0,0.5",
-            "0,0,bee-1/imu,0,left,m/s^2,-0,NaN",
-            "0.05,50000000,bee-1/imu,0,forward,m/s^2,5,5.5",
-            "0.05,50000000,bee-1/imu,0,left,m/s^2,-5,NaN",
+            "time_s,time_ns,sensor,row,quantity,unit,truth,reading,lost",
+            "0,0,bee-1/imu,0,forward,m/s^2,0,0.5,0",
+            "0,0,bee-1/imu,0,left,m/s^2,-0,NaN,0",
+            "0.05,50000000,bee-1/imu,0,forward,m/s^2,5,5.5,0",
+            "0.05,50000000,bee-1/imu,0,left,m/s^2,-5,NaN,0",
         ]
     );
 
@@ -99,4 +100,55 @@ fn the_table_has_a_row_for_each_number() {
     let error = export_readings_file(&recording, &nobody, &path).expect_err("no such sensor");
     assert!(error.to_string().contains("bee-0/imu"), "{error}");
     assert!(!path.exists(), "nothing is published");
+}
+
+/// The table of one reading.
+fn table(reading: Reading) -> Vec<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("run.mcap");
+    let mut recorder = Recorder::create(&path, Header::default()).expect("it can be made");
+    recorder.reading(reading).expect("written");
+    recorder.finish(&serde_json::Value::Null).expect("finished");
+    let recording = Recording::open(&path).expect("it opens");
+    let mut text = Vec::new();
+    export_readings(&recording, &Selection::default(), &mut text).expect("exported");
+    let text = String::from_utf8(text).expect("text");
+    text.lines().skip(1).map(str::to_owned).collect()
+}
+
+#[test]
+fn what_was_found_stands_apart_from_what_was_there() {
+    // Of anchors 0 and 1 the second answers: its distance must not stand beside that of the first.
+    let rows = table(Reading {
+        sensor: "bee/uwb".into(),
+        names: vec!["anchor".into(), "distance".into()],
+        units: vec!["1".into(), "m".into()],
+        truth: vec![0.0, 4.0, 1.0, 9.0],
+        reading: vec![1.0, 9.1],
+        unpaired: true,
+        ..Reading::default()
+    });
+    let expected = [
+        "0,0,bee/uwb,0,anchor,1,0,,0",
+        "0,0,bee/uwb,0,distance,m,4,,0",
+        "0,0,bee/uwb,1,anchor,1,1,,0",
+        "0,0,bee/uwb,1,distance,m,9,,0",
+        "0,0,bee/uwb,0,anchor,1,,1,0",
+        "0,0,bee/uwb,0,distance,m,,9.1,0",
+    ];
+    assert_eq!(rows, expected);
+}
+
+#[test]
+fn a_lost_measurement_has_a_truth_and_no_reading() {
+    let lost = Reading {
+        reading: Vec::new(),
+        lost: true,
+        ..reading("bee/imu", 2)
+    };
+    let expected = [
+        "0.02,20000000,bee/imu,0,forward,m/s^2,2,,1",
+        "0.02,20000000,bee/imu,0,left,m/s^2,-2,,1",
+    ];
+    assert_eq!(table(lost), expected);
 }
