@@ -1,7 +1,8 @@
 //! An altimeter.
 
+use super::bounds::{at_least_zero, reach, step};
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::{at_least_zero, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::Length;
@@ -38,9 +39,9 @@ pub struct AltimeterParams {
     pub bias_sigma: Length,
     /// Readings are multiples of this; 0: of nothing.
     pub resolution: Length,
-    /// What is farther below is not seen. Above 0.
+    /// What is farther below is not seen. Above 0, to 100 km.
     pub max_range: Length,
-    /// Where the plane `z = 0` is above the level of the sea.
+    /// Where the plane `z = 0` is above the level of the sea. -100 to 100 km.
     pub ground_elevation: Length,
     /// What counts as ground.
     pub sees: SeesWhat,
@@ -67,8 +68,14 @@ impl Sensor for Altimeter {
     fn build(params: AltimeterParams) -> Result<Self, BuildError> {
         at_least_zero("sigma", params.sigma)?;
         at_least_zero("bias_sigma", params.bias_sigma)?;
-        at_least_zero("resolution", params.resolution)?;
-        positive("max_range", params.max_range)?;
+        step("resolution", params.resolution)?;
+        reach("max_range", params.max_range)?;
+        let highest = Length::si(1e5);
+        in_range(
+            "ground_elevation",
+            params.ground_elevation,
+            -highest..=highest,
+        )?;
         let channel = Channel::new(Errors {
             sigma: params.sigma.get(),
             bias_sigma: params.bias_sigma.get(),

@@ -1,7 +1,8 @@
 //! A barometer.
 
+use super::bounds::{at_least_zero, positive};
 use super::noise::{Channel, Drift, Errors};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Current, Length, Pressure};
 use simbeeotic_model::world::weather::isa;
@@ -126,12 +127,11 @@ impl Sensor for Barometer {
         };
         let given = |key, value: Option<Pressure>, usual: f64| {
             let value = value.unwrap_or(Pressure::si(usual));
-            at_least_zero(key, value)?;
-            if value.is_finite() {
-                Ok(value.get())
-            } else {
-                Err(BuildError::parameter(key, "must be finite"))
+            match key {
+                "resolution" => super::bounds::step(key, value)?,
+                _ => at_least_zero(key, value)?,
             }
+            Ok::<f64, BuildError>(value.get())
         };
         let errors = Errors {
             sigma: given("sigma", params.sigma, sigma)?,

@@ -1,7 +1,8 @@
 //! What a vehicle knows of its battery.
 
+use super::bounds::{at_least_zero, positive, step};
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::{Current, Voltage};
 use simbeeotic_model::{BuildError, Column, Needs, Reading, Sensor, Truth, choice, params, sensor};
@@ -138,11 +139,15 @@ impl Sensor for BatterySensor {
         let i_limit = amperes(p.current_limit, i_limit);
         let scale_sigma = p.scale_sigma.unwrap_or(scale);
         at_least_zero("voltage_sigma", v_sigma)?;
-        at_least_zero("voltage_step", v_step)?;
-        positive("voltage_limit", v_limit)?;
+        step("voltage_step", v_step)?;
+        if let Some(limit) = p.voltage_limit {
+            positive("voltage_limit", limit)?;
+        }
         at_least_zero("current_sigma", i_sigma)?;
-        at_least_zero("current_step", i_step)?;
-        positive("current_limit", i_limit)?;
+        step("current_step", i_step)?;
+        if let Some(limit) = p.current_limit {
+            positive("current_limit", limit)?;
+        }
         in_range("scale_sigma", scale_sigma, 0.0..=1.0)?;
         let channel = |sigma, step, limit| {
             Channel::new(Errors {

@@ -1,7 +1,8 @@
 //! What time a vehicle thinks it is.
 
-use simbeeotic_model::check::{at_least_zero, in_range};
-use simbeeotic_model::kernel::Stream;
+use super::bounds::{at_least_zero, step};
+use simbeeotic_model::check::in_range;
+use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
 
@@ -52,7 +53,7 @@ impl Sensor for Clock {
         at_least_zero("offset", params.offset)?;
         in_range("drift_ppm", params.drift_ppm, 0.0..=1e4)?;
         at_least_zero("jitter", params.jitter)?;
-        at_least_zero("resolution", params.resolution)?;
+        step("resolution", params.resolution)?;
         Ok(Self { params, own: None })
     }
 
@@ -60,22 +61,34 @@ impl Sensor for Clock {
         truth.now().time()
     }
 
-    fn measure(&mut self, ideal: Time, _truth: &Truth<'_>, rng: &mut Stream) -> Time {
+    fn measure(&mut self, ideal: Time, truth: &Truth<'_>, rng: &mut Stream) -> Time {
         let p = &self.params;
-        let [offset_s, drift] = *self.own.get_or_insert_with(|| {
-            let mut within = |most: f64| most * (2.0 * rng.uniform() - 1.0);
-            [within(p.offset.get()), within(p.drift_ppm * 1e-6)]
-        });
+        let [offset_s, drift] = *self.own.get_or_insert_with(|| own(p, rng));
         let mut read_s = offset_s + (1.0 + drift) * ideal.get();
         if p.jitter > Time::ZERO {
             read_s += p.jitter.get() * rng.normal();
         }
         let tick_s = p.resolution.get();
-        if tick_s > 0.0 {
-            read_s = (read_s / tick_s).floor() * tick_s;
+        if tick_s <= 0.0 {
+            return Time::si(read_s);
         }
-        Time::si(read_s)
+        let tick_ns = (tick_s * 1e9).round();
+        let is_whole = tick_ns >= 1.0 && (tick_s * 1e9 - tick_ns).abs() <= 1e-9 * tick_ns;
+        if is_whole && offset_s == 0.0 && drift == 0.0 && p.jitter == Time::ZERO {
+            let (now_ns, tick_ns) = (truth.now().nanos(), tick_ns as u64);
+            return SimTime::from_nanos(now_ns - now_ns % tick_ns).time();
+        }
+        // A tick that is over but for rounding is over.
+        let ticks = read_s / tick_s;
+        let hair = 1e-9 + 4.0 * f64::EPSILON * ticks.abs();
+        Time::si((ticks + hair).floor() * tick_s)
     }
+}
+
+/// The offset, s, and the drift, a fraction, of one clock.
+fn own(params: &ClockParams, rng: &mut Stream) -> [f64; 2] {
+    let mut within = |most: f64| most * (2.0 * rng.uniform() - 1.0);
+    [within(params.offset.get()), within(params.drift_ppm * 1e-6)]
 }
 
 #[cfg(test)]
@@ -113,6 +126,57 @@ mod tests {
             let want = (bee.now().nanos() / 10_000_000) as f64 * 0.01;
             assert!((bee.read(sensor).get() - want).abs() < 1e-12);
         });
+    }
+
+    #[test]
+    fn no_tick_is_lost_to_rounding() {
+        for (tick, tick_ns) in [
+            ("1 us", 1000),
+            ("10 ms", 10_000_000),
+            ("0.1 s", 100_000_000),
+        ] {
+            for offset in ["0 s", "1e-30 s"] {
+                let params = [("drift_ppm", "0"), ("resolution", tick), ("offset", offset)];
+                let mut trial = Trial::of("clock", &params);
+                (trial.first, trial.every) = (Time::si(1.001), Time::si(0.1001));
+                trial.seconds = 200;
+                trial.run(move |bee, sensor: Handle<Time>| {
+                    let now_ns = bee.now().nanos();
+                    let read_ns = (bee.read(sensor).get() * 1e9).round() as u64;
+                    assert_eq!(read_ns, now_ns - now_ns % tick_ns, "{tick}, {now_ns}");
+                });
+            }
+        }
+    }
+
+    #[test]
+    fn offsets_and_drifts_are_spread_evenly_over_their_bounds() {
+        let params = ClockParams {
+            offset: Time::si(0.3),
+            ..ClockParams::default()
+        };
+        let mut rng = Stream::new(2, "bee/clock", "noise");
+        let clocks: Vec<[f64; 2]> = (0..100_000).map(|_| own(&params, &mut rng)).collect();
+        for (part, most) in [(0, 0.3), (1, 20e-6)] {
+            let mut tenths = [0.0; 10];
+            for clock in &clocks {
+                let share = 0.5 * (clock[part] / most + 1.0);
+                assert!((0.0..=1.0).contains(&share), "{share}");
+                tenths[((share * 10.0) as usize).min(9)] += 1.0;
+            }
+            // Four standard errors of a binomial count.
+            let error = 4.0 * (1e5_f64 * 0.1 * 0.9).sqrt();
+            assert!(
+                tenths.iter().all(|n: &f64| (n - 1e4).abs() < error),
+                "{tenths:?}"
+            );
+        }
+        let product: f64 = clocks.iter().map(|[a, b]| a / 0.3 * b / 20e-6).sum();
+        // Of two independent numbers of variance 1/3.
+        assert!(
+            (product / 1e5).abs() < 4.0 / 3.0 / 1e5_f64.sqrt(),
+            "{product}"
+        );
     }
 
     #[test]

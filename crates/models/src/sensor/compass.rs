@@ -1,6 +1,7 @@
 //! A compass with Gaussian error.
 
-use simbeeotic_model::check::{at_least_zero, in_range};
+use super::bounds::at_least_zero;
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Heading};
 use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
@@ -66,12 +67,18 @@ impl Sensor for Compass {
     }
 
     fn measure(&mut self, ideal: Heading, _truth: &Truth<'_>, rng: &mut Stream) -> Heading {
+        Heading::new(ideal.angle() + self.bias(rng) + self.params.sigma * rng.normal())
+    }
+}
+
+impl Compass {
+    /// Its own bias, drawn at the first reading.
+    fn bias(&mut self, rng: &mut Stream) -> Angle {
         let p = &self.params;
-        let bias = *self.bias.get_or_insert_with(|| match p.bias_sigma {
+        *self.bias.get_or_insert_with(|| match p.bias_sigma {
             Angle::ZERO => p.bias,
             sigma => p.bias + sigma * rng.normal(),
-        });
-        Heading::new(ideal.angle() + bias + p.sigma * rng.normal())
+        })
     }
 }
 
@@ -79,7 +86,7 @@ impl Sensor for Compass {
 mod tests {
     use super::*;
     use crate::trial::{NoParams, Trial, assert_normal, bee, refusal, run, with_sensor_of};
-    use simbeeotic_model::units::{Attitude, Time, Yaw};
+    use simbeeotic_model::units::{Attitude, Time, Velocity, Yaw};
     use simbeeotic_model::{Bee, Behavior, Handle, Kit, behavior};
 
     /// Holds a compass with an error of one degree against the truth.
@@ -108,7 +115,8 @@ mod tests {
                 Attitude::from_rpy(degrees(20.0), degrees(-10.0), Yaw::new(degrees(200.0)));
             for (attitude, heading) in [(level, 60.0), (tilted, 250.0)] {
                 bee.set_attitude(attitude);
-                let readings: Vec<f64> = (0..10_000)
+                bee.set_velocity(Velocity::from_xyz(3.0, -2.0, 0.5));
+                let readings: Vec<f64> = (0..100_000)
                     .map(|_| bee.read(self.compass).angle().degrees())
                     .collect();
                 assert_normal(&readings, heading, 1.0);
@@ -164,5 +172,22 @@ mod tests {
             assert_ne!(first, bee.heading());
             assert_eq!(bee.read(sensor), first);
         });
+    }
+
+    #[test]
+    fn the_biases_of_many_have_the_sigma_that_they_say() {
+        let params = CompassParams {
+            bias: Angle::si(0.2),
+            bias_sigma: Angle::si(0.05),
+            ..CompassParams::default()
+        };
+        let mut rng = Stream::new(2, "bee/compass", "noise");
+        let biases: Vec<f64> = (0..100_000)
+            .map(|_| {
+                let mut compass = Compass::build(params.clone()).expect("good");
+                compass.bias(&mut rng).get()
+            })
+            .collect();
+        assert_normal(&biases, 0.2, 0.05);
     }
 }

@@ -1,6 +1,6 @@
 //! A contact sensor: a bump switch, a whisker's root, a landing foot.
 
-use simbeeotic_model::check::positive;
+use super::bounds::reach;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Impulse, Length};
 use simbeeotic_model::{
@@ -81,7 +81,7 @@ impl Sensor for ContactSensor {
     type Reading = Bump;
 
     fn build(params: ContactSensorParams) -> Result<Self, BuildError> {
-        positive("radius", params.radius)?;
+        reach("radius", params.radius)?;
         Ok(Self {
             radius: params.radius,
             since: Bump::default(),

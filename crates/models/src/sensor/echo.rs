@@ -20,16 +20,15 @@
 //! with `h` half the field of view. What the beam reads is the nearest of its echoes, or their mean
 //! weighted by the light that comes back, `w = cos(incidence) / x^2`.
 
+use super::bounds::{at_least_zero, positive, reach, step};
 use glam::{DQuat, DVec3};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length, RainRate, math};
 use simbeeotic_model::world::weather::rain;
 use simbeeotic_model::{BuildError, Echo, SeesWhat, Truth, choice};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Farther than any range sensor looks, m.
-const RANGE_M_MAX: f64 = 1e5;
 /// Most rays of one reading.
 pub(super) const RAYS_MAX: u32 = 1_000_000;
 
@@ -81,9 +80,7 @@ impl Ranger {
     /// # Errors
     /// Numbers out of range.
     pub(super) fn new(errors: Ranging) -> Result<Self, BuildError> {
-        positive("max_range", errors.max_range)?;
-        let farthest = Length::si(RANGE_M_MAX);
-        in_range("max_range", errors.max_range, Length::ZERO..=farthest)?;
+        reach("max_range", errors.max_range)?;
         in_range(
             "min_range",
             errors.min_range,
@@ -92,7 +89,7 @@ impl Ranger {
         at_least_zero("sigma", errors.sigma)?;
         at_least_zero("sigma_fraction", errors.sigma_fraction)?;
         at_least_zero("bias_sigma", errors.bias_sigma)?;
-        at_least_zero("step", errors.step)?;
+        step("step", errors.step)?;
         in_range("lost", errors.lost, 0.0..=1.0)?;
         Ok(Self {
             errors,
@@ -206,6 +203,14 @@ pub(super) struct Bundle {
     sees: SeesWhat,
 }
 
+/// What turns the forward axis to `axis`. Straight back is half a turn about the vertical axis.
+fn turn_to(axis: DVec3) -> DQuat {
+    if axis.x < -1.0 + 1e-12 {
+        return DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0);
+    }
+    DQuat::from_rotation_arc(DVec3::X, axis)
+}
+
 impl Bundle {
     /// One beam about each of some axes, in the sensor's frame, of unit length.
     ///
@@ -221,7 +226,7 @@ impl Bundle {
         let half = beam.field_of_view.get() * 0.5;
         let rays = if half > 0.0 { beam.rays as usize } else { 1 };
         let directions = axes.iter().flat_map(|axis| {
-            let turn = DQuat::from_rotation_arc(DVec3::X, *axis);
+            let turn = turn_to(*axis);
             (0..rays)
                 .map(move |at| turn * spiral(half, at, at as f64 / (rays as f64 - 1.0).max(1.0)))
         });
@@ -338,6 +343,22 @@ mod tests {
         (0..100_000)
             .map(|_| ranger.measure(ideal_m, air, &mut rng))
             .collect()
+    }
+
+    #[test]
+    fn a_bundle_is_turned_to_its_axis_even_straight_back() {
+        for axis in [
+            DVec3::X,
+            -DVec3::X,
+            DVec3::Y,
+            DVec3::Z,
+            DVec3::new(-0.6, 0.8, 0.0),
+        ] {
+            let turned = turn_to(axis) * DVec3::X;
+            assert!((turned - axis).length() < 1e-12, "{axis}: {turned}");
+        }
+        // Up stays up.
+        assert_eq!(turn_to(-DVec3::X) * DVec3::Z, DVec3::Z);
     }
 
     #[test]

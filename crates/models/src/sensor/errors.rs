@@ -16,9 +16,11 @@
 //! | `range` | limit | readings end there |
 //! | `resolution` | step | readings are multiples of it |
 
+use super::bounds::{self, LEAST_STEP, MOST};
 use super::noise::{Axes, Drift, Errors};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use simbeeotic_model::BuildError;
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use simbeeotic_model::serde;
 use simbeeotic_model::units::{Frequency, Quantity, Time};
@@ -172,21 +174,25 @@ impl<Q: Quantity> Given<Q> {
             Some(bias) => bias.map(Quantity::to_si),
             None => [0.0; 3],
         };
-        if !bias.iter().all(|b| b.is_finite()) {
-            return Err(BuildError::parameter(
-                "bias",
-                "must be three finite numbers",
-            ));
+        if !bias.iter().all(|b| b.abs() <= MOST) {
+            let message = "must be three numbers of -1e9 to 1e9 in SI units";
+            return Err(BuildError::parameter("bias", message));
         }
         let bias_sigma = at_least_zero("bias_sigma", self.bias_sigma)?.unwrap_or(sheet.bias_sigma);
         let drift = self.drifting()?;
         let scale_sigma = self.scale_sigma.unwrap_or(sheet.scale_sigma);
-        simbeeotic_model::check::at_least_zero("scale_sigma", scale_sigma)?;
+        in_range("scale_sigma", scale_sigma, 0.0..=1.0)?;
         let range = match self.range {
             Some(range) => [above_zero("range", range)?; 3],
             None => sheet.range,
         };
-        let step = match (at_least_zero("resolution", self.resolution)?, sheet.step) {
+        let resolution = at_least_zero("resolution", self.resolution)?;
+        if let Some(si) = resolution {
+            let message = |_| format!("must be zero, or at least {LEAST_STEP} in SI units");
+            bounds::step("resolution", si)
+                .map_err(|error| BuildError::parameter("resolution", message(error)))?;
+        }
+        let step = match (resolution, sheet.step) {
             (Some(step), _) | (None, Step::Of(step)) => [step; 3],
             // Half the bits are below zero.
             (None, Step::Bits(bits)) => range.map(|range| range / f64::from(1_u32 << (bits - 1))),
@@ -256,8 +262,9 @@ impl<Q: Quantity> Given<Q> {
 
 fn at_least_zero<Q: Quantity>(key: &'static str, q: Option<Q>) -> Result<Option<f64>, BuildError> {
     match q {
-        Some(q) if !(q.to_si() >= 0.0 && q.to_si().is_finite()) => {
-            let message = format!("must be zero or more, and is {q}");
+        Some(q) if !(0.0..=MOST).contains(&q.to_si()) => {
+            let most = Q::from_si(MOST);
+            let message = format!("must be zero or more, up to {most}, and is {q}");
             Err(BuildError::parameter(key, message))
         }
         q => Ok(q.map(Quantity::to_si)),
@@ -265,10 +272,11 @@ fn at_least_zero<Q: Quantity>(key: &'static str, q: Option<Q>) -> Result<Option<
 }
 
 fn above_zero<Q: Quantity>(key: &'static str, q: Q) -> Result<f64, BuildError> {
-    if q.to_si() > 0.0 {
+    if q.to_si() > 0.0 && q.to_si() <= MOST {
         Ok(q.to_si())
     } else {
-        let message = format!("must be more than zero, and is {q}");
+        let most = Q::from_si(MOST);
+        let message = format!("must be more than zero, up to {most}, and is {q}");
         Err(BuildError::parameter(key, message))
     }
 }
@@ -375,7 +383,7 @@ mod tests {
 
     #[test]
     fn each_nonsense_is_refused_by_name_whatever_the_sensor() {
-        let bad: [(&[(&str, &str)], &str); 15] = [
+        let bad: [(&[(&str, &str)], &str); 21] = [
             (&[("sigma", "-1")], "sigma"),
             (
                 &[("density", "-1/sqrt(Hz)"), ("bandwidth", "1 Hz")],
@@ -400,12 +408,19 @@ mod tests {
             (&[("scale_sigma", "-0.1")], "scale_sigma"),
             (&[("range", "0")], "range"),
             (&[("resolution", "-1")], "resolution"),
+            (&[("sigma", "1e300")], "sigma"),
+            (&[("bias_sigma", "1e300")], "bias_sigma"),
+            (&[("walk", "1e300")], "walk"),
+            (&[("scale_sigma", "1.5")], "scale_sigma"),
+            (&[("range", "1e300")], "range"),
+            (&[("resolution", "1e-310")], "resolution"),
         ];
         for (kind, unit) in [
             ("accelerometer", "m/s^2"),
             ("gyroscope", "rad/s"),
             ("velocity", "m/s"),
             ("body-velocity", "m/s"),
+            ("magnetometer", "T"),
         ] {
             for (params, key) in bad {
                 let with_units: Vec<(&str, String)> = params
@@ -423,6 +438,32 @@ mod tests {
                 let refusal = refusal.unwrap_or_else(|| panic!("{kind} takes {with_units:?}"));
                 assert!(refusal.contains(key), "{kind}, {with_units:?}: {refusal}");
             }
+        }
+    }
+
+    #[test]
+    fn a_bias_is_three_numbers_that_are_not_huge() {
+        for (kind, bias) in [
+            ("accelerometer", "[1e300 m/s^2, 0 m/s^2, 0 m/s^2]"),
+            ("gyroscope", "[0 rad/s, -1e300 rad/s, 0 rad/s]"),
+            ("magnetometer", "[0 T, 0 T, 1e300 T]"),
+            ("velocity", "[0 m/s, 2e9 m/s, 0 m/s]"),
+        ] {
+            let refusal = refusal(kind, &[("bias", bias)]).expect("it is refused");
+            assert!(refusal.contains("bias"), "{kind}: {refusal}");
+        }
+    }
+
+    #[test]
+    fn an_inertial_unit_names_the_part_and_the_key() {
+        for (path, text) in [
+            ("accelerometer.sigma", "-1 m/s^2"),
+            ("accelerometer.walk", "1e300 m/s^2"),
+            ("gyroscope.scale_sigma", "2"),
+        ] {
+            let refusal = refusal("imu", &[(path, text)]).expect("it is refused");
+            let (part, key) = path.split_once('.').expect("a part and a key");
+            assert!(refusal.contains(part) && refusal.contains(key), "{refusal}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! A flower detector.
 
 use super::echo::parts;
-use super::sighting::{Detector, Part, Sighting, USUAL_CONE, poisson, sort};
+use super::sighting::{Detector, Part, Sighting, USUAL_CONE, and, poisson, sort};
 use glam::DVec3;
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
@@ -46,6 +46,8 @@ pub struct FlowerDetectorParams {
     pub detection: f64,
     /// How many rays look for approximate patches, 1 to 100,000. More are finer.
     pub rays: u32,
+    /// What can be in the way: kinds of things; none hides itself.
+    pub hidden_by: SeesWhat,
 }
 
 impl Default for FlowerDetectorParams {
@@ -58,6 +60,7 @@ impl Default for FlowerDetectorParams {
             range_sigma: Length::ZERO,
             detection: 1.0,
             rays: 200,
+            hidden_by: SeesWhat::EVERYTHING,
         }
     }
 }
@@ -75,6 +78,7 @@ impl Sensor for FlowerDetector {
             range_sigma: params.range_sigma,
             detection: params.detection,
             false_alarms: 0.0,
+            hidden_by: params.hidden_by,
         };
         Ok(Self {
             detector: detector.checked()?,
@@ -150,7 +154,8 @@ impl FlowerDetector {
         // What each ray meets of a patch: area, and distance.
         let mut met = vec![None; self.rays as usize];
         let range = self.detector.max_range;
-        truth.look(directions(), range, SeesWhat::EVERYTHING, |at, echo| {
+        let sees = and(self.detector.hidden_by, Kind::Flower);
+        truth.look(directions(), range, sees, |at, echo| {
             let Some(echo) = echo else { return };
             let Some(object) = echo.thing.object() else {
                 return;
@@ -294,9 +299,14 @@ mod tests {
                 },
                 ..Obstacle::default()
             }];
-            over(world, &[("max_range", "6 m")], 3.0).run(|bee, sensor: Flowers| {
+            over(world.clone(), &[("max_range", "6 m")], 3.0).run(|bee, sensor: Flowers| {
                 bee.set_attitude(down(90.0, 0.0));
                 assert_eq!(bee.read(sensor), []);
+            });
+            let through = [("max_range", "6 m"), ("hidden_by", "[ground]")];
+            over(world, &through, 3.0).run(|bee, sensor: Flowers| {
+                bee.set_attitude(down(90.0, 0.0));
+                assert_ne!(bee.read(sensor), []);
             });
         }
     }

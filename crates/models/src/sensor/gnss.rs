@@ -1,7 +1,8 @@
 //! Satellite navigation.
 
+use super::bounds::{at_least_zero, positive, reach};
 use super::noise::{Channel, Drift, Errors};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::glam::DVec3;
 use simbeeotic_model::units::{Angle, Enu, Length, Position, Speed, Time, Velocity, math};
@@ -170,7 +171,7 @@ impl Sensor for Gnss {
         at_least_zero("outage_time", params.outage_time)?;
         positive("fix_time", params.fix_time)?;
         in_range("min_sky", params.min_sky, 0.0..=1.0)?;
-        positive("sky_range", params.sky_range)?;
+        reach("sky_range", params.sky_range)?;
         let slow = |sigma: Length| {
             let (sigma, time_s) = (sigma.get(), params.correlation_time.get());
             Channel::new(Errors {
@@ -274,6 +275,28 @@ mod tests {
     use simbeeotic_model::world::World;
 
     type Reader = Handle<Option<Fix>>;
+
+    #[test]
+    fn its_slow_error_has_the_allan_deviation_of_its_process() {
+        let params = GnssParams {
+            horizontal_sigma: Some(Length::si(2.0)),
+            correlation_time: Time::si(10.0),
+            ..GnssParams::default()
+        };
+        let mut gnss = Gnss::build(params).expect("good");
+        let mut rng = Stream::new(2, "bee/gnss", "noise");
+        let read: Vec<f64> = (0..200_000)
+            .map(|second| gnss.slow[0].read(0.0, SimTime::from_millis(second * 500), &mut rng))
+            .collect();
+        for n in [4, 20, 40, 100] {
+            // Of the mean over tau: 2 D^2 x (1 - x / 2 (3 - 4 exp(-1 / x) + exp(-2 / x))), x = T / tau.
+            let x: f64 = 10.0 / (n as f64 * 0.5);
+            let ends = 3.0 - 4.0 * math::exp(-1.0 / x) + math::exp(-2.0 / x);
+            let want = 2.0 * (2.0 * x * (1.0 - 0.5 * x * ends)).sqrt();
+            let found = crate::trial::allan_deviation(&read, n);
+            assert!((found / want - 1.0).abs() < 0.1, "{n}: {found} for {want}");
+        }
+    }
 
     #[test]
     fn without_errors_it_reads_the_place_and_motion_of_its_antenna() {

@@ -11,7 +11,7 @@ use simbeeotic_model::{BuildError, Sensor, Truth, sensor};
 ///
 /// Positive is counter-clockwise seen against the axis. The errors are those of `noise`; without other
 /// words 0.0085 rad/s of white noise on each axis, as in the original, which read about the axes of the
-/// world.
+/// world. A `simple-bee` turns in no time, so there the body rate is 0.
 #[sensor(
     "gyroscope",
     java = "harvard.robobees.simbeeotic.model.sensor.DefaultGyroscope"

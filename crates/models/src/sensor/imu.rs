@@ -10,6 +10,8 @@ use simbeeotic_model::{BuildError, Column, Reading, Sensor, Truth, params, senso
 
 /// Measures specific force and body rate at once, as `accelerometer` and `gyroscope` do.
 ///
+/// On a `simple-bee`, which turns in no time, the body rate is 0.
+///
 /// By default a Bosch BMI088.
 #[sensor("imu")]
 pub struct Imu {

@@ -1,7 +1,8 @@
 //! A light sensor.
 
+use super::bounds::{at_least_zero, positive, step};
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::host::Ray;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::glam::DVec3;
@@ -84,7 +85,7 @@ impl Sensor for LightSensor {
         at_least_zero("sigma", params.sigma)?;
         in_range("scale_sigma", params.scale_sigma, 0.0..=1.0)?;
         positive("range", params.range)?;
-        at_least_zero("resolution", params.resolution)?;
+        step("resolution", params.resolution)?;
         let channel = Channel::new(Errors {
             sigma: params.sigma.get(),
             scale_sigma: params.scale_sigma,

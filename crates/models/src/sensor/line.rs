@@ -10,6 +10,9 @@ const MOST: usize = 16;
 /// What rounding does to a place.
 const HAIR_M: f64 = 1e-6;
 
+/// A ray that cannot be cast: from, to, or over a place that is too far from the origin.
+struct Refused;
+
 /// What is in the way first from `from` to `to`. The host itself is not, nor is `target`.
 fn first(
     truth: &Truth<'_>,
@@ -17,27 +20,25 @@ fn first(
     to: Position,
     target: Option<ModelId>,
     sees: SeesWhat,
-) -> Option<Seen> {
+) -> Result<Option<Seen>, Refused> {
     let way = to - from;
     // What `to` is fixed to is not in its way.
     let range = way.length() - Length::si(HAIR_M);
     if range <= Length::ZERO {
-        return None;
+        return Ok(None);
     }
     let ray = Ray {
         origin: from,
         direction: way.si().to_array(),
         range,
     };
-    // A place that is not finite ends the run elsewhere.
-    let hits = truth.cast_rays(&[ray], sees).ok()?;
-    let hit = hits.into_iter().next().flatten()?;
-    let is_target = target.is_some() && hit.thing.model() == target;
-    (!is_target).then_some(hit)
+    let hits = truth.cast_rays(&[ray], sees).map_err(|_| Refused)?;
+    let hit = hits.into_iter().next().flatten();
+    Ok(hit.filter(|hit| target.is_none() || hit.thing.model() != target))
 }
 
 /// Whether nothing is in the way from `from`, a place on the host, to `to`, which may be the place of the
-/// model `target`.
+/// model `target`. Where no ray can be cast, something is.
 pub(super) fn is_free(
     truth: &Truth<'_>,
     from: Position,
@@ -45,7 +46,7 @@ pub(super) fn is_free(
     target: Option<ModelId>,
     sees: SeesWhat,
 ) -> bool {
-    first(truth, from, to, target, sees).is_none()
+    matches!(first(truth, from, to, target, sees), Ok(None))
 }
 
 /// One thing in the way.
@@ -57,7 +58,7 @@ pub(super) struct Crossing {
 }
 
 /// What is in the way as in [`is_free`], in order. `None` if there is no way through: ground, terrain, or
-/// more than 16 things. Parts of one thing that touch are one; a mesh is hollow: two things without thickness.
+/// more than 16 things, or where no ray can be cast. Parts of one thing that touch are one; a mesh is hollow: two things without thickness.
 pub(super) fn crossings(
     truth: &Truth<'_>,
     from: Position,
@@ -72,7 +73,7 @@ pub(super) fn crossings(
     let place = |along_m: f64| from + Position::along(direction, Length::si(along_m));
     let (mut at_m, mut found) = (0.0, Vec::<Crossing>::new());
     let mut left_m = f64::NEG_INFINITY;
-    let mut next = first(truth, from, to, target, sees);
+    let mut next = first(truth, from, to, target, sees).ok()?;
     while let Some(hit) = next {
         if matches!(hit.kind, Kind::Ground | Kind::Terrain) || found.len() == MOST {
             return None;
@@ -80,9 +81,10 @@ pub(super) fn crossings(
         let enter_m = at_m + hit.distance.get();
         // From within one does not see where it ends, but looking back from the next thing.
         at_m = enter_m + HAIR_M;
-        next = first(truth, place(at_m), to, target, sees);
+        next = first(truth, place(at_m), to, target, sees).ok()?;
         let beyond_m = next.map_or(total_m, |next| at_m + next.distance.get());
-        let back = first(truth, place(beyond_m - HAIR_M), place(enter_m), None, sees);
+        let (from_m, back_m) = (beyond_m - HAIR_M, enter_m);
+        let back = first(truth, place(from_m), place(back_m), None, sees).ok()?;
         let back = back.filter(|back| back.thing == hit.thing);
         let leave_m = beyond_m - back.map_or(0.0, |back| HAIR_M + back.distance.get());
         let thickness = Length::si((leave_m - enter_m).max(0.0));

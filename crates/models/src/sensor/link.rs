@@ -1,7 +1,8 @@
 //! How well a radio hears.
 
+use super::bounds::{at_least_zero, positive, step};
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::{at_least_zero, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::radio::Inbox;
 use simbeeotic_model::units::{Decibels, Frequency, PowerLevel, Time};
@@ -84,7 +85,7 @@ pub struct LinkSensorParams {
     /// The name of the radio; all radios on board if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radio: Option<String>,
-    /// Packets are counted over this time.
+    /// Packets are counted over this time. Above 0, to 3,600 s.
     pub window: Time,
     /// Standard deviation of the strength's bias.
     pub rssi_bias_sigma: Decibels,
@@ -109,8 +110,9 @@ impl Sensor for LinkSensor {
 
     fn build(params: LinkSensorParams) -> Result<Self, BuildError> {
         positive("window", params.window)?;
+        in_range("window", params.window, Time::ZERO..=Time::si(3600.0))?;
         at_least_zero("rssi_bias_sigma", params.rssi_bias_sigma)?;
-        at_least_zero("rssi_step", params.rssi_step)?;
+        step("rssi_step", params.rssi_step)?;
         Ok(Self {
             radio: params.radio,
             window: params.window,
@@ -183,7 +185,7 @@ impl Sensor for LinkSensor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trial::{Trial, bee, refusal, with_radio};
+    use crate::trial::{Trial, assert_normal, bee, refusal, with_radio};
     use simbeeotic_model::Handle;
 
     /// Another bee 5 m away broadcasts once a second.
@@ -215,6 +217,23 @@ mod tests {
             // At 2 s and 3 s, within the last two.
             assert_eq!(read.rate, Frequency::si(1.0));
         });
+    }
+
+    #[test]
+    fn the_biases_of_many_have_the_sigma_that_they_say() {
+        let mut rng = Stream::new(2, "bee/link", "noise");
+        let read: Vec<f64> = (0..100_000)
+            .map(|_| {
+                let params = LinkSensorParams {
+                    rssi_bias_sigma: Decibels::si(3.0),
+                    rssi_step: Decibels::ZERO,
+                    ..LinkSensorParams::default()
+                };
+                let mut sensor = LinkSensor::build(params).expect("good");
+                sensor.rssi.read(-54.0, SimTime::ZERO, &mut rng)
+            })
+            .collect();
+        assert_normal(&read, -54.0, 3.0);
     }
 
     #[test]

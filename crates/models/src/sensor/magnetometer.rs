@@ -1,8 +1,9 @@
 //! A magnetometer in the field of the Earth.
 
+use super::bounds::{MOST, at_least_zero};
 use super::errors::{Sheet, Step, White, error_params};
 use super::noise::Axes;
-use simbeeotic_model::check::{at_least_zero, in_range};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::glam::{DMat3, DVec3};
 use simbeeotic_model::units::{Angle, Current, Enu, Flu, MagneticField, V3};
@@ -86,8 +87,8 @@ impl Sensor for Magnetometer {
         in_range("inclination", params.inclination, -right..=right)?;
         in_range("declination", params.declination, -half..=half)?;
         let soft_iron = DMat3::from_cols_array_2d(&params.soft_iron).transpose();
-        if !soft_iron.is_finite() {
-            let message = "must be nine finite numbers";
+        if !params.soft_iron.iter().flatten().all(|s| s.abs() <= MOST) {
+            let message = "must be nine numbers of -1e9 to 1e9";
             return Err(BuildError::parameter("soft_iron", message));
         }
         let (down, level) = params.inclination.sin_cos();

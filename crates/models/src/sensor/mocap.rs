@@ -1,7 +1,7 @@
 //! Motion capture: cameras on the walls that see where one is.
 
+use super::bounds::{at_least_zero, place};
 use super::pose::disturbed;
-use simbeeotic_model::check::at_least_zero;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length, Pose, Position};
 use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
@@ -63,6 +63,9 @@ impl Sensor for Mocap {
     fn build(params: MocapParams) -> Result<Self, BuildError> {
         at_least_zero("sigma", params.sigma)?;
         at_least_zero("attitude_sigma", params.attitude_sigma)?;
+        for camera in &params.cameras {
+            place("cameras", *camera)?;
+        }
         if let (Some(from), Some(to)) = (params.from, params.to)
             && !from.si().cmplt(to.si()).all()
         {
@@ -119,6 +122,21 @@ mod tests {
     use simbeeotic_model::world::World;
 
     type Reader = Handle<Option<Pose>>;
+
+    #[test]
+    fn where_no_ray_can_be_cast_no_camera_sees() {
+        let params = [
+            ("cameras", "[[-1e6 m, 0 m, 10 m]]"),
+            ("min_cameras", "1"),
+            ("sees", "[obstacles]"),
+        ];
+        Trial::of("mocap", &params).run(|bee, sensor: Reader| {
+            assert!(bee.read(sensor).is_some());
+            bee.set_position(Position::from_xyz(9.995e8, 0.0, 10.0));
+            assert_eq!(bee.read(sensor), None);
+            bee.set_position(Position::from_xyz(0.0, 0.0, 10.0));
+        });
+    }
 
     #[test]
     fn it_reads_the_pose_within_a_fraction_of_a_millimetre() {

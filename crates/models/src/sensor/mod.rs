@@ -4,6 +4,7 @@ pub mod accelerometer;
 pub mod altimeter;
 pub mod barometer;
 pub mod battery;
+mod bounds;
 pub mod camera;
 pub mod clock;
 pub mod compass;

@@ -1,7 +1,7 @@
 //! What the motors are asked for.
 
+use super::bounds::at_least_zero;
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::at_least_zero;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::Force;
 use simbeeotic_model::{BuildError, Column, Needs, Reading, Sensor, Truth, params, sensor};

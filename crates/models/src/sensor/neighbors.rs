@@ -1,7 +1,8 @@
 //! Who is near, and in which direction.
 
+use super::bounds::{at_least_zero, positive, reach};
 use super::line;
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::glam::DVec3;
@@ -89,7 +90,9 @@ pub struct NeighborsParams {
     pub velocity_sigma: Speed,
     /// Whether something in between hides them.
     pub occlusion: bool,
-    /// Who counts as a neighbour.
+    /// What hides them, with `occlusion`.
+    pub hidden_by: SeesWhat,
+    /// Who counts as a neighbour: models, that is `vehicles`, `stations`, `ghosts`.
     pub sees: SeesWhat,
 }
 
@@ -106,6 +109,7 @@ impl Default for NeighborsParams {
             velocities: false,
             velocity_sigma: Speed::si(0.1),
             occlusion: false,
+            hidden_by: SeesWhat::EVERYTHING,
             sees: SeesWhat::only(&[Kind::Vehicle, Kind::Ghost]),
         }
     }
@@ -116,7 +120,7 @@ impl Sensor for Neighbors {
     type Reading = Vec<Neighbor>;
 
     fn build(params: NeighborsParams) -> Result<Self, BuildError> {
-        positive("max_range", params.max_range)?;
+        reach("max_range", params.max_range)?;
         positive("width", params.width)?;
         in_range("width", params.width, Angle::ZERO..=Angle::TURN)?;
         positive("height", params.height)?;
@@ -124,6 +128,14 @@ impl Sensor for Neighbors {
         at_least_zero("angle_sigma", params.angle_sigma)?;
         at_least_zero("distance_sigma", params.distance_sigma)?;
         at_least_zero("velocity_sigma", params.velocity_sigma)?;
+        let models = [Kind::Vehicle, Kind::Station, Kind::Ghost];
+        let mut others = params.sees.kinds().iter();
+        if let Some(kind) = others.find(|kind| !models.contains(kind)) {
+            let message = format!(
+                "has `{kind:?}`, and no model is one: `vehicles`, `stations` and `ghosts` can be neighbours"
+            );
+            return Err(BuildError::parameter("sees", message));
+        }
         Ok(Self { params })
     }
 
@@ -208,7 +220,7 @@ impl Neighbors {
         let here = truth.sensor_pose().position;
         let place = other.id.and_then(|id| truth.pose_of(id));
         place.is_some_and(|pose| {
-            line::is_free(truth, here, pose.position, other.id, SeesWhat::EVERYTHING)
+            line::is_free(truth, here, pose.position, other.id, self.params.hidden_by)
         })
     }
 }
@@ -326,6 +338,18 @@ mod tests {
                 assert!(read.iter().all(|other| other.id.is_none()));
             });
         }
+    }
+
+    #[test]
+    fn only_models_are_neighbours() {
+        for sees in ["[vehicles, people]", "everything"] {
+            let refusal = refusal("neighbors", &[("sees", sees)]).expect("it is refused");
+            assert!(
+                refusal.contains("sees") && refusal.contains("stations"),
+                "{refusal}"
+            );
+        }
+        assert_eq!(refusal("neighbors", &[("sees", "[stations]")]), None);
     }
 
     #[test]

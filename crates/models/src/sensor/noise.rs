@@ -7,6 +7,7 @@
 //! y = clamp(y, -limit, limit)               saturation                          (2)
 //! y = step round(y / step)                  quantisation                        (3)
 //! ```
+//! Where the limit is no multiple of the step, readings end at the last multiple within it.
 //! `B` is a bias that is known. `s` and `b` are drawn once, when the sensor is first read: N(0, scale_sigma), N(0, bias_sigma).
 //! `n` is N(0, 1), new at each reading. The drift `d` is a random walk of density `K`, or, with a
 //! correlation time `T`, a Gauss-Markov process of standard deviation `D`:
@@ -120,11 +121,12 @@ impl Channel {
             0.0
         };
         let read = (1.0 + own.scale) * ideal + bias + own.bias + own.drift + noise;
-        let read = read.clamp(-limit, limit);
         if step > 0.0 {
-            step * (read / step).round()
+            // As many whole steps as the limit holds; a step that is lost to rounding counts.
+            let most = (limit / step * (1.0 + 1e-12)).floor();
+            step * (read / step).round().clamp(-most, most)
         } else {
-            read
+            read.clamp(-limit, limit)
         }
     }
 
@@ -304,6 +306,30 @@ mod tests {
                 want,
                 "{ideal}"
             );
+        }
+    }
+
+    #[test]
+    fn no_step_lies_beyond_the_limit() {
+        let mut rng = Stream::new(5, "bee/imu", "noise");
+        for (limit, step, want) in [
+            (2.0, 0.75, 1.5),
+            (1.9, 0.75, 1.5),
+            (0.3, 1.0, 0.0),
+            // 32,000 steps of a shunt monitor, of which rounding must not take the last.
+            (3.2, 1e-4, 3.2),
+            (f64::INFINITY, 0.5, 1e6),
+        ] {
+            let errors = Errors {
+                limit,
+                step,
+                ..Errors::default()
+            };
+            let mut channel = Channel::new(errors);
+            for sign in [1.0, -1.0] {
+                let read = channel.read(sign * 1e6, SimTime::ZERO, &mut rng);
+                assert!((read - sign * want).abs() < 1e-9, "{limit}, {step}: {read}");
+            }
         }
     }
 

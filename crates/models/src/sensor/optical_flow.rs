@@ -1,7 +1,8 @@
 //! Grids of rays that see how the picture moves: the theory is in [`flow`](super::flow).
 
+use super::bounds::{at_least_zero, positive, reach};
 use super::flow::{FlowPoint, OpticalFlow, flow};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::glam::DVec3;
 use simbeeotic_model::units::{
@@ -77,7 +78,7 @@ impl Grid {
     fn new(params: &OpticalFlowParams, camera: Attitude) -> Result<Self, BuildError> {
         at_least_zero("sigma", params.sigma)?;
         at_least_zero("min_range", params.min_range)?;
-        positive("max_range", params.max_range)?;
+        reach("max_range", params.max_range)?;
         if params.min_range >= params.max_range {
             let message = format!("must be less than `max_range`, and is {}", params.min_range);
             return Err(BuildError::parameter("min_range", message));

@@ -5,7 +5,7 @@ use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Angle, Length, Offset};
-use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
+use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
 
 /// Finds the people in a cone about its forward axis, the nearest first.
 ///
@@ -35,6 +35,8 @@ pub struct PersonDetectorParams {
     pub detection: f64,
     /// How many people it finds in a reading, on average, that are not there, 0 to 10,000.
     pub false_alarms: f64,
+    /// What can be in the way: kinds of things; none hides itself.
+    pub hidden_by: SeesWhat,
 }
 
 impl Default for PersonDetectorParams {
@@ -47,6 +49,7 @@ impl Default for PersonDetectorParams {
             range_sigma: Length::ZERO,
             detection: 1.0,
             false_alarms: 0.0,
+            hidden_by: SeesWhat::EVERYTHING,
         }
     }
 }
@@ -63,6 +66,7 @@ impl Sensor for PersonDetector {
             range_sigma: params.range_sigma,
             detection: params.detection,
             false_alarms: params.false_alarms,
+            hidden_by: params.hidden_by,
         };
         Ok(Self {
             detector: detector.checked()?,
@@ -214,6 +218,21 @@ mod tests {
                     let up = bee.pose().to_world(read[0].position).si().z;
                     assert!(up > 1.2, "only head, neck and torso show: {up}");
                 }
+            });
+        }
+    }
+
+    #[test]
+    fn what_it_looks_through_does_not_hide_a_person() {
+        for (hidden_by, seen) in [("[obstacles]", false), ("[structures, people]", true)] {
+            let params = [("max_range", "10 m"), ("hidden_by", hidden_by)];
+            let mut trial = trial(&params, vec![man(5.0, 0.0)]);
+            trial.world.obstacles = vec![crate::sensor::scene::block(
+                [3.0, 0.0, 0.0],
+                [0.1, 4.0, 5.0],
+            )];
+            trial.run(move |bee, sensor: People| {
+                assert_eq!(bee.read(sensor).len(), usize::from(seen), "{hidden_by}");
             });
         }
     }

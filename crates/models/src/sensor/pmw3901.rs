@@ -1,8 +1,8 @@
 //! PixArt PMW3901: a camera that counts how far its picture has moved.
 
+use super::bounds::{at_least_zero, positive, reach};
 use super::flow::flow;
 use super::optical_flow::look;
-use simbeeotic_model::check::{at_least_zero, positive};
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::{AngularRate, Illuminance, Length, Time};
 use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor};
@@ -130,7 +130,11 @@ impl Sensor for Pmw3901 {
         positive("scale", params.scale)?;
         at_least_zero("sigma", params.sigma)?;
         at_least_zero("min_range", params.min_range)?;
-        positive("max_range", params.max_range)?;
+        reach("max_range", params.max_range)?;
+        if params.min_range >= params.max_range {
+            let message = format!("must be less than `max_range`, and is {}", params.min_range);
+            return Err(BuildError::parameter("min_range", message));
+        }
         positive("max_rate", params.max_rate)?;
         at_least_zero("min_light", params.min_light)?;
         Ok(Self {

@@ -1,6 +1,6 @@
 //! A sensor of position and attitude.
 
-use simbeeotic_model::check::at_least_zero;
+use super::bounds::at_least_zero;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::glam::DVec3;
 use simbeeotic_model::units::{Angle, Length, Pose, Position, V3};

@@ -1,7 +1,7 @@
 //! A position sensor with Gaussian error.
 
+use super::bounds::at_least_zero;
 use glam::DVec3;
-use simbeeotic_model::check::at_least_zero;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Length, Position};
 use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};

@@ -10,9 +10,10 @@
 //! ```
 //! with `d` the true direction, `u` and `v` across it, `x` the true distance.
 
+use super::bounds::{at_least_zero, positive};
 use super::echo::cone;
 use glam::DVec3;
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Angle, Length, Offset, math};
@@ -85,6 +86,7 @@ pub(super) struct Detector {
     pub(super) range_sigma: Length,
     pub(super) detection: f64,
     pub(super) false_alarms: f64,
+    pub(super) hidden_by: SeesWhat,
 }
 
 /// A part of a thing that is in sight.
@@ -93,6 +95,12 @@ pub(super) struct Part {
     pub(super) thing: Thing,
     /// Its centre, in the sensor's frame, m.
     pub(super) at: DVec3,
+}
+
+/// These kinds, and `kind`.
+pub(super) fn and(kinds: SeesWhat, kind: Kind) -> SeesWhat {
+    let kinds: Vec<Kind> = kinds.kinds().with(kind).iter().collect();
+    SeesWhat::only(&kinds)
 }
 
 /// Most false alarms of one reading, on average.
@@ -138,17 +146,12 @@ impl Detector {
         }
         let mut seen = vec![false; parts.len()];
         let directions = parts.iter().map(|part| part.at.normalize());
-        truth.look(
-            directions,
-            self.max_range,
-            SeesWhat::EVERYTHING,
-            |at, echo| {
-                let part = &parts[at];
-                seen[at] = echo.is_none_or(|echo| {
-                    echo.thing == part.thing || echo.distance.get() >= part.at.length()
-                });
-            },
-        );
+        truth.look(directions, self.max_range, self.hidden_by, |at, echo| {
+            let part = &parts[at];
+            seen[at] = echo.is_none_or(|echo| {
+                echo.thing == part.thing || echo.distance.get() >= part.at.length()
+            });
+        });
         let mut seen = seen.into_iter();
         parts.retain(|_| seen.next() == Some(true));
     }
@@ -221,6 +224,7 @@ mod tests {
         range_sigma: Length::ZERO,
         detection: 1.0,
         false_alarms: 0.0,
+        hidden_by: SeesWhat::EVERYTHING,
     };
 
     fn one() -> Vec<Sighting> {

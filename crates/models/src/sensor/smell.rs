@@ -1,11 +1,15 @@
 //! A gas sensor.
 
+use super::bounds::{at_least_zero, positive, step};
 use super::noise::{Channel, Errors};
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{SimTime, Stream};
+use simbeeotic_model::units::text::did_you_mean;
 use simbeeotic_model::units::{Concentration, Time, math};
 use simbeeotic_model::world::ScalarField;
+use simbeeotic_model::world::World;
 use simbeeotic_model::{BuildError, Sensor, Truth, params, sensor};
+use std::collections::BTreeSet;
 
 /// Measures the concentration of one gas of the world where it sits.
 ///
@@ -27,7 +31,7 @@ pub struct Smell {
 /// Parameters of [`Smell`].
 #[params]
 pub struct SmellParams {
-    /// The gas: the name of a `[[source]]` of the world.
+    /// The gas: the name of a `[[source]]` of the world. It must be there, unless the world has no source.
     pub gas: String,
     /// Time constant with which it follows, 0 or more.
     pub response_time: Time,
@@ -69,15 +73,12 @@ impl Sensor for Smell {
             return Err(BuildError::parameter("gas", "must be the name of a gas"));
         }
         at_least_zero("response_time", params.response_time)?;
-        if !params.response_time.is_finite() {
-            return Err(BuildError::parameter("response_time", "must be finite"));
-        }
         at_least_zero("sigma", params.sigma)?;
         in_range("relative_sigma", params.relative_sigma, 0.0..=1.0)?;
         in_range("scale_sigma", params.scale_sigma, 0.0..=1.0)?;
         at_least_zero("threshold", params.threshold)?;
         positive("range", params.range)?;
-        at_least_zero("resolution", params.resolution)?;
+        step("resolution", params.resolution)?;
         let channel = Channel::new(Errors {
             sigma: params.sigma.get(),
             scale_sigma: params.scale_sigma,
@@ -90,6 +91,20 @@ impl Sensor for Smell {
             channel,
             follows: None,
         })
+    }
+
+    fn look_up(&mut self, world: &World) -> Result<(), BuildError> {
+        let gas = &*self.params.gas;
+        let known: BTreeSet<&str> = world.sources.iter().map(|source| &*source.gas).collect();
+        if known.is_empty() || known.contains(gas) {
+            return Ok(());
+        }
+        let guess = did_you_mean(gas, known.iter().copied());
+        let guess = guess.map(|guess| format!("; did you mean `{guess}`?"));
+        let known: Vec<&str> = known.into_iter().collect();
+        let (known, guess) = (known.join(", "), guess.unwrap_or_default());
+        let message = format!("is `{gas}`, which no source of the world gives off: {known}{guess}");
+        Err(BuildError::parameter("gas", message))
     }
 
     fn ideal(&mut self, truth: &Truth<'_>) -> Concentration {
@@ -165,6 +180,23 @@ mod tests {
         let sy2 = 0.01 + 0.0064 * x * x / (1.0 + 1e-4 * x);
         let sz2 = 0.01 + 0.0036 * x * x / (1.0 + 1.5e-3 * x);
         1e-3 / (std::f64::consts::TAU * 2.0 * (sy2 * sz2).sqrt()) * math::exp(-0.5 * y * y / sy2)
+    }
+
+    #[test]
+    fn a_gas_that_no_source_gives_off_is_refused_if_there_are_sources() {
+        let of = |gas: &str| {
+            Smell::build(SmellParams {
+                gas: gas.into(),
+                ..SmellParams::default()
+            })
+        };
+        let world = trial(&[("gas", "ethanol")], None).world;
+        let look = |gas: &str, world: &World| of(gas).expect("a name").look_up(world);
+        assert!(look("ethanol", &world).is_ok());
+        assert!(look("ethanoll", &World::default()).is_ok());
+        let fault = look("ethanoll", &world).expect_err("mistyped").to_string();
+        assert!(fault.contains("did you mean `ethanol`"), "{fault}");
+        assert!(look("methane", &world).is_err());
     }
 
     #[test]
@@ -252,13 +284,19 @@ mod tests {
                 bee.read(sensor).milligrams_per_cubic_metre()
             };
             assert!(
-                (read(1.0, 0.0) - 21.0).abs() < 1e-9,
-                "20 mg/m^3 in steps of 3"
+                (read(1.0, 0.0) - 18.0).abs() < 1e-9,
+                "the last step of 3 within 20 mg/m^3"
             );
             assert_eq!(read(10.0, 2.6), 0.0);
         });
-        // Another gas is not there.
-        trial(&[("gas", "smoke")], None).run(|bee, sensor: Reader| {
+        // Another gas is not there: its source is down the wind.
+        let mut smoke = trial(&[("gas", "smoke")], None);
+        smoke.world.sources.push(Source {
+            gas: "smoke".into(),
+            position: Position::from_xyz(100.0, 0.0, 10.05),
+            ..smoke.world.sources[0].clone()
+        });
+        smoke.run(|bee, sensor: Reader| {
             assert_eq!(bee.read(sensor), Concentration::ZERO);
         });
     }

@@ -1,7 +1,8 @@
 //! Ranging by ultra-wideband radio.
 
+use super::bounds::{at_least_zero, place, reach};
 use super::line;
-use simbeeotic_model::check::{at_least_zero, in_range, positive};
+use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Decibels, Frequency, Length, Position, did_you_mean, math};
@@ -99,7 +100,7 @@ pub struct UwbParams {
     pub max_range: Length,
     /// Standard deviation in free sight. 0 or more.
     pub sigma: Length,
-    /// The frequency at which materials take from a pulse. Above 0.
+    /// The frequency at which materials take from a pulse. 1 Hz to 1 THz.
     pub frequency: Frequency,
     /// How much longer a distance becomes by a thing of unknown material. 0 or more.
     pub nlos_bias: Length,
@@ -134,12 +135,16 @@ impl Sensor for Uwb {
     type Reading = Vec<UwbRange>;
 
     fn build(params: UwbParams) -> Result<Self, BuildError> {
-        positive("max_range", params.max_range)?;
+        reach("max_range", params.max_range)?;
         at_least_zero("sigma", params.sigma)?;
-        positive("frequency", params.frequency)?;
+        let (low, high) = (Frequency::si(1.0), Frequency::si(1e12));
+        in_range("frequency", params.frequency, low..=high)?;
         at_least_zero("nlos_bias", params.nlos_bias)?;
         at_least_zero("nlos_sigma", params.nlos_sigma)?;
         in_range("nlos_loss", params.nlos_loss, 0.0..=1.0)?;
+        for anchor in &params.anchors {
+            place("anchors", *anchor)?;
+        }
         if params.anchors.is_empty() && params.places.is_empty() && !params.vehicles {
             let message =
                 "are none, nor `places`, and `vehicles` is false: nobody is to be measured";
@@ -164,6 +169,7 @@ impl Sensor for Uwb {
                     format!("names `{name}`, which is no place of the world, {known}{guess}");
                 return Err(BuildError::parameter("places", message));
             };
+            super::bounds::place("places", place.position)?;
             self.params.anchors.push(place.position);
         }
         self.params.places.clear();

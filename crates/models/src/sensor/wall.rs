@@ -1,6 +1,7 @@
 //! A wall detector.
 
 use super::echo::{Ranger, Ranging, TooNear, some};
+use super::sighting::and;
 use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
@@ -15,6 +16,7 @@ use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
 #[sensor("wall", java = "harvard.robobees.simbeeotic.model.sensor.WallSensor")]
 pub struct WallDetector {
     ranger: Ranger,
+    sees: SeesWhat,
 }
 
 /// Parameters of [`WallDetector`].
@@ -26,6 +28,8 @@ pub struct WallDetectorParams {
     pub sigma: Length,
     /// Probability that a wall goes unnoticed, 0 to 1.
     pub lost: f64,
+    /// What can be in the way: kinds of things; none hides itself.
+    pub hidden_by: SeesWhat,
 }
 
 impl Default for WallDetectorParams {
@@ -34,6 +38,7 @@ impl Default for WallDetectorParams {
             max_range: Length::si(1.0),
             sigma: Length::ZERO,
             lost: 0.0,
+            hidden_by: SeesWhat::EVERYTHING,
         }
     }
 }
@@ -53,12 +58,13 @@ impl Sensor for WallDetector {
             lost: params.lost,
             too_near: TooNear::Clamp,
         })?;
-        Ok(Self { ranger })
+        let sees = and(params.hidden_by, Kind::Structure);
+        Ok(Self { ranger, sees })
     }
 
     fn ideal(&mut self, truth: &Truth<'_>) -> Option<Length> {
         let (mut distance_m, range) = (f64::NAN, self.ranger.max_range());
-        truth.look([DVec3::X], range, SeesWhat::EVERYTHING, |_, echo| {
+        truth.look([DVec3::X], range, self.sees, |_, echo| {
             if let Some(echo) = echo.filter(|echo| echo.kind == Kind::Structure) {
                 distance_m = echo.distance.get();
             }
@@ -153,6 +159,17 @@ mod tests {
             trial.world.obstacles = vec![pillar(x)];
             trial.run(move |bee, sensor: Range| assert_eq!(bee.read(sensor).is_some(), seen));
         }
+    }
+
+    #[test]
+    fn what_it_looks_through_does_not_hide_a_wall() {
+        let mut trial = Trial::of("wall", &[("max_range", "5 m"), ("hidden_by", "[vehicles]")]);
+        trial.world.structures = vec![wall(1.5)];
+        trial.world.obstacles = vec![pillar(0.5)];
+        trial.run(|bee, sensor: Range| {
+            let read = bee.read(sensor).expect("the wall");
+            assert!((read.get() - 1.5).abs() < 1e-9, "{read}");
+        });
     }
 
     #[test]

@@ -155,7 +155,8 @@ pub struct CameraParams {
     /// The focal length in pixels, instead of the field of view. Above 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub focal_length_px: Option<f64>,
-    /// Where the forward axis falls, in pixels from the left and from the top; the middle if left out.
+    /// Where the forward axis falls, in pixels from the left and from the top; the middle if left out. OpenCV
+    /// counts from the first pixel's middle: 0.5 less.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub principal_point_px: Option<[f64; 2]>,
     /// How the lens bends straight lines (Brown and Conrady).
@@ -359,12 +360,39 @@ impl Sensor for Camera {
     }
 
     fn measure(&mut self, ideal: Frame, _truth: &Truth<'_>, rng: &mut Stream) -> Frame {
+        let metres_of = |images: &[(Channel, Image)], wanted: Channel| {
+            images
+                .iter()
+                .find_map(|(channel, image)| match &image.pixels {
+                    Pixels::Depth(metres) if *channel == wanted => Some(metres.clone()),
+                    _ => None,
+                })
+        };
+        let clean_z = metres_of(&ideal.images, Channel::Depth);
+        let clean_r = metres_of(&ideal.images, Channel::Range);
         let images = ideal.images.into_iter();
-        Frame {
-            images: images
-                .map(|(channel, image)| (channel, self.noisy(channel, image, rng)))
-                .collect(),
+        let mut images: Vec<(Channel, Image)> = images
+            .map(|(channel, image)| match channel {
+                // It errs as the depth beside it does.
+                Channel::Range if clean_z.is_some() => (channel, image),
+                _ => (channel, self.noisy(channel, image, rng)),
+            })
+            .collect();
+        if self.errs()
+            && let (Some(z), Some(r)) = (clean_z, clean_r)
+            && let Some(read) = metres_of(&images, Channel::Depth)
+        {
+            let ranges = read.iter().zip(z.iter().zip(r.iter()));
+            let ranges = ranges.map(|(read, (z, r))| match read.is_finite() && *z > 0.0 {
+                true => r * (read / z),
+                false => *read,
+            });
+            let ranges = Pixels::Depth(ranges.collect());
+            for (_, image) in images.iter_mut().filter(|(c, _)| *c == Channel::Range) {
+                image.pixels = ranges.clone();
+            }
         }
+        Frame { images }
     }
 
     fn current(&self) -> Current {
@@ -406,7 +434,7 @@ impl Camera {
         } else {
             0.0
         };
-        let read = (z + noise).max(0.0);
+        let read = (z + noise).clamp(0.0, self.painter.far_m.max(z));
         let step = self.depth_step_m;
         if step > 0.0 {
             (step * (read / step).round()) as f32

@@ -259,6 +259,47 @@ fn a_share_of_the_pixels_drops_out_and_the_rest_comes_in_steps() {
 }
 
 #[test]
+fn depth_and_range_of_a_pixel_err_as_one() {
+    let both = [
+        ("channels", "[depth, range]"),
+        ("depth_sigma", "0.1 m"),
+        ("depth_dropout", "0.2"),
+    ];
+    walled(&both, 2.0).run(|bee, sensor: Handle<Frame>| {
+        let frame = bee.read(sensor);
+        let range = frame
+            .images
+            .iter()
+            .find_map(|(channel, image)| match &image.pixels {
+                Pixels::Depth(metres) if *channel == Channel::Range => Some(metres.clone()),
+                _ => None,
+            })
+            .expect("it takes ranges");
+        let (mut lost, mut middle) = (0, f32::INFINITY);
+        for (z, r) in frame.depth_m().iter().zip(range.iter()) {
+            assert_eq!(z.is_infinite(), r.is_infinite());
+            if z.is_finite() && *z > 0.0 {
+                // The secant of the pixel's angle, whatever the noise.
+                assert!(r / z > 0.999 && r / z < 3.0, "{r} {z}");
+                middle = middle.min(r / z);
+            }
+            lost += usize::from(z.is_infinite());
+        }
+        assert!((middle - 1.0).abs() < 0.01 && lost > 0, "{middle}, {lost}");
+    });
+}
+
+#[test]
+fn no_depth_lies_beyond_far() {
+    let params = [("depth_sigma", "0.5 m"), ("far", "2.1 m")];
+    walled(&params, 2.0).run(|bee, sensor: Handle<Frame>| {
+        let frame = bee.read(sensor);
+        assert!(frame.depth_m().iter().any(|z| *z == 2.1));
+        assert!(frame.depth_m().iter().all(|z| *z <= 2.1 || z.is_infinite()));
+    });
+}
+
+#[test]
 fn a_device_has_the_noise_of_its_data_sheet() {
     // Intel quotes less than 2 % at 2 m for the D435; the formula gives 1.4 % at this resolution.
     walled(&[("preset", "realsense-d435")], 2.0).run(|bee, sensor: Handle<Frame>| {
@@ -415,6 +456,8 @@ fn nonsense_is_refused() {
         ("field_of_view", "0 deg"),
         ("field_of_view", "180 deg"),
         ("focal_length_px", "0"),
+        ("principal_point_px", "[1e300, 0]"),
+        ("principal_point_px", "[1]"),
         ("near", "-1 m"),
         ("far", "1 mm"),
         ("depth_sigma", "-1 m"),
