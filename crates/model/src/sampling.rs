@@ -46,14 +46,17 @@ impl Sampling {
     /// A period of zero, a delay below zero or without a period, a probability out of 0 to 1.
     pub fn check(&self) -> Result<(), BuildError> {
         let nanos = |time: Time| SimTime::from_time(time).ok().map(SimTime::nanos);
-        if let Some(period) = self.period
-            && nanos(period).is_none_or(|n| n == 0)
-        {
-            let message = "must give a time between two samples of at least a nanosecond";
-            return Err(BuildError::parameter("rate", message));
+        if let Some(period) = self.period {
+            if period.get().is_nan() || period < Time::ZERO {
+                return Err(BuildError::parameter("rate", "must be above 0"));
+            }
+            if nanos(period).is_none_or(|n| n == 0) {
+                let message = "must give a time between two samples of a nanosecond to 584 years";
+                return Err(BuildError::parameter("rate", message));
+            }
         }
         if nanos(self.delay).is_none() {
-            let message = format!("must be zero or more, and is {}", self.delay);
+            let message = format!("must lie between 0 and 584 years, and is {}", self.delay);
             return Err(BuildError::parameter("delay", message));
         }
         if self.delay > Time::ZERO && self.period.is_none() {
@@ -67,7 +70,7 @@ impl Sampling {
         if let SamplePhase::At(at) = self.phase
             && nanos(at).is_none()
         {
-            let message = format!("must be zero or more, and is {at}");
+            let message = format!("must lie between 0 and 584 years, and is {at}");
             return Err(BuildError::parameter("phase", message));
         }
         if !(0.0..=1.0).contains(&self.dropout) {
@@ -284,6 +287,22 @@ mod tests {
             let share = fresh as f64 / n as f64;
             let error = 4.0 * (0.3_f64 * 0.7 / n as f64).sqrt();
             assert!((share - 0.7).abs() < error, "{share}");
+        }
+    }
+
+    #[test]
+    fn a_rate_below_zero_is_called_that_and_a_limit_has_two_ends() {
+        let said = |period: f64| {
+            let sampling = Sampling {
+                period: Some(Time::from_secs(period)),
+                ..Sampling::default()
+            };
+            sampling.check().expect_err("nonsense").to_string()
+        };
+        assert!(said(-1.0).contains("above 0"), "{}", said(-1.0));
+        assert!(said(f64::NAN).contains("above 0"), "{}", said(f64::NAN));
+        for period in [1e-12, 1e12] {
+            assert!(said(period).contains("584 years"), "{}", said(period));
         }
     }
 

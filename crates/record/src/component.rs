@@ -12,6 +12,7 @@ use simbeeotic_model::{
     BuildError, Component, ComponentError, FromParams, Image, Mark, Note, Pixels, Summary, Taken,
     Thing, View, choice, component, params,
 };
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -25,6 +26,8 @@ pub struct RecorderComponent {
     params: RecorderParams,
     bodies: Vec<ModelId>,
     recorder: Option<Recorder>,
+    /// Sensors that have read nothing yet.
+    silent: BTreeSet<String>,
 }
 
 /// Parameters of [`RecorderComponent`].
@@ -81,6 +84,7 @@ impl FromParams for RecorderComponent {
             params,
             bodies: Vec::new(),
             recorder: None,
+            silent: BTreeSet::new(),
         })
     }
 }
@@ -134,7 +138,7 @@ impl Component for RecorderComponent {
         let Some(recorder) = &mut self.recorder else {
             return Ok(());
         };
-        record_marks(recorder, view, &self.params).map_err(failed)?;
+        record_marks(recorder, view, &self.params, &mut self.silent).map_err(failed)?;
         if self.params.events {
             record_batteries(recorder, view, &self.bodies).map_err(failed)?;
         }
@@ -146,19 +150,21 @@ impl Component for RecorderComponent {
         let Some(mut recorder) = self.recorder.take() else {
             return Ok(Vec::new());
         };
-        record_marks(&mut recorder, view, &self.params).map_err(failed)?;
+        record_marks(&mut recorder, view, &self.params, &mut self.silent).map_err(failed)?;
         let summary = serde_json::to_value(summary).unwrap_or_default();
         let stats = recorder.finish(&summary).map_err(failed)?;
-        Ok(vec![Note {
+        let mut notes = vec![Note {
             key: "recording".to_owned(),
             text: describe(&self.params.path, &stats),
-        }])
+        }];
+        notes.extend(unread(&self.silent));
+        Ok(notes)
     }
 }
 
 impl RecorderComponent {
     /// A pattern that no sensor matches is a mistake.
-    fn check_patterns(&self, view: &View<'_>) -> Result<(), ComponentError> {
+    fn check_patterns(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
         if self.params.readings.is_empty() {
             return Ok(());
         }
@@ -168,6 +174,10 @@ impl RecorderComponent {
                 let path = view.population().path(id);
                 view.sensors(id).map(move |name| format!("{path}/{name}"))
             })
+            .collect();
+        self.silent = (sensors.iter())
+            .filter(|sensor| self.wants_reading(sensor))
+            .cloned()
             .collect();
         let useless = |pattern: &&String| !sensors.iter().any(|sensor| selects(pattern, sensor));
         match self.params.readings.iter().find(useless) {
@@ -190,6 +200,19 @@ impl RecorderComponent {
 
 fn failed(error: RecordError) -> ComponentError {
     ComponentError::new(error.to_string())
+}
+
+/// Says that sensors were to be recorded and read nothing.
+fn unread(silent: &BTreeSet<String>) -> Option<Note> {
+    let first = silent.first()?;
+    let more = match silent.len() - 1 {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    Some(Note {
+        key: "not read".to_owned(),
+        text: format!("{first}{more}: no behaviour reads it; give it a `rate` to have it recorded"),
+    })
 }
 
 fn describe(path: &std::path::Path, stats: &RecordStats) -> String {
@@ -255,6 +278,7 @@ fn record_marks(
     recorder: &mut Recorder,
     view: &View<'_>,
     params: &RecorderParams,
+    silent: &mut BTreeSet<String>,
 ) -> Result<(), RecordError> {
     let path = |id: ModelId| view.population().path(id).to_owned();
     for mark in view.marks() {
@@ -273,6 +297,7 @@ fn record_marks(
                     .iter()
                     .any(|pattern| selects(pattern, &sensor))
                 {
+                    silent.remove(&sensor);
                     record_reading(recorder, time.nanos(), sensor, taken)?;
                 }
             }
@@ -413,6 +438,15 @@ mod tests {
 
     fn names(taken: &Taken) -> Vec<&'static str> {
         true_pictures(taken).map(|(name, _)| *name).collect()
+    }
+
+    #[test]
+    fn a_sensor_without_a_reading_is_named() {
+        assert_eq!(unread(&BTreeSet::new()), None);
+        let two = ["bee/c", "bee/d"].map(str::to_owned);
+        let note = unread(&two.into()).expect("there are two");
+        assert!(note.text.starts_with("bee/c and 1 more: "), "{}", note.text);
+        assert!(note.text.contains("`rate`"), "{}", note.text);
     }
 
     #[test]

@@ -71,6 +71,9 @@ pub enum ExportError {
         /// What is wrong.
         what: String,
     },
+    /// There are no readings at the selected times; nothing was written.
+    #[error("{0}")]
+    NoReadings(String),
     /// A pattern of the [`Selection`] matches no model.
     #[error("no recorded model matches {pattern:?}; {known}")]
     NoModel {

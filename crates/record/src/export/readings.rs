@@ -34,7 +34,7 @@ use std::path::Path;
 /// whose path matches, of each sensor every n-th.
 ///
 /// # Errors
-/// When a pattern matches no sensor that has a reading, when the recording is damaged, or when `out`
+/// When there are no readings at these times, when a pattern matches no sensor that has one, when the recording is damaged, or when `out`
 /// fails. Rows before the error are written.
 pub fn export_readings(
     recording: &Recording,
@@ -65,6 +65,14 @@ pub fn export_readings(
     out.write_all(text.as_bytes()).map_err(ExportError::Csv)?;
     out.flush().map_err(ExportError::Csv)?;
     exported.models = seen.len();
+    if seen.is_empty() && selection.models.is_empty() {
+        return Err(ExportError::NoReadings(match recording.readings().next() {
+            None => "the recording has no readings: name sensors in the recorder's `readings`, and give \
+                     them a `rate` if no behaviour reads them"
+                .to_owned(),
+            Some(_) => "the recording has no readings between these times".to_owned(),
+        }));
+    }
     let mut patterns = 0..selection.models.len();
     if let Some(useless) = patterns.find(|at| !used.contains(at)) {
         return Err(ExportError::NoModel {

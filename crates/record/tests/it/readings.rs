@@ -152,3 +152,23 @@ fn a_lost_measurement_has_a_truth_and_no_reading() {
     ];
     assert_eq!(table(lost), expected);
 }
+
+#[test]
+fn a_table_of_nothing_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let recording = record(&folder.path().join("run.mcap"));
+    let late = Selection {
+        times_ns: 10_000_000_000..=u64::MAX,
+        ..Selection::default()
+    };
+    let error = export_readings(&recording, &late, &mut Vec::new()).expect_err("nothing then");
+    assert!(error.to_string().contains("between these times"), "{error}");
+
+    let path = folder.path().join("empty.mcap");
+    let recorder = Recorder::create(&path, Header::default()).expect("it can be made");
+    recorder.finish(&serde_json::Value::Null).expect("finished");
+    let recording = Recording::open(&path).expect("it opens");
+    let error = export_readings(&recording, &Selection::default(), &mut Vec::new());
+    let error = error.expect_err("it has none").to_string();
+    assert!(error.contains("rate"), "{error}");
+}

@@ -7,7 +7,7 @@ use simbeeotic_record::{
     ExportError, Exported, Recording, Selection, export_csv, export_csv_file, export_parquet,
     export_readings, export_readings_file,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufWriter, ErrorKind, Write, stdout};
 use std::num::NonZeroU64;
 use std::path::Path;
@@ -67,9 +67,11 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
 fn images(recording: &Recording, selection: &Selection, folder: &Path) -> Result<(), Failure> {
     let mut counts: BTreeMap<String, u64> = BTreeMap::new();
     let mut written = 0_u64;
+    let mut others = BTreeSet::new();
     for picture in recording.pictures_in(selection.times_ns.clone()) {
         let picture = picture.map_err(Failure::run)?;
         if !selection.takes(&picture.path) {
+            others.insert(picture.path);
             continue;
         }
         let count = counts.entry(picture.path.clone()).or_default();
@@ -88,6 +90,21 @@ fn images(recording: &Recording, selection: &Selection, folder: &Path) -> Result
         made.and_then(|()| std::fs::write(&path, file))
             .map_err(|error| Failure::run(format!("cannot write {}: {error}", path.display())))?;
         written += 1;
+    }
+    if written == 0 {
+        return Err(Failure::run(
+            match (selection.models.first(), others.first()) {
+                (Some(pattern), Some(other)) => format!(
+                    "no camera matches {pattern:?}; the recording has pictures of {}, {other:?} among them",
+                    others.len()
+                ),
+                _ => {
+                    "the recording has no pictures at these times: name cameras in the recorder's \
+                  `readings`, and give them a `rate` if no behaviour reads them"
+                        .to_owned()
+                }
+            },
+        ));
     }
     remark(format!("wrote {written} pictures to {}", folder.display()));
     Ok(())

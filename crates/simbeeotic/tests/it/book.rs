@@ -145,6 +145,12 @@ fn the_camera_of_the_book_takes_pictures_that_are_exported() {
         let file = std::fs::read(program.path(&name)).expect("a picture");
         assert_eq!(file[1..4], *b"PNG", "{name}");
     }
+    let nobody = [
+        "export", "eye.mcap", "--images", "none", "--model", "bee/nope",
+    ];
+    let call = program.call(&nobody);
+    assert_eq!(call.code, Some(1));
+    assert!(call.err.contains("no camera matches"), "{}", call.err);
     let picture = [
         "picture",
         "worlds/yard.toml",
