@@ -81,6 +81,15 @@ pub fn check_file(path: &Path, request: &Request) -> Result<Checked, Rejected> {
     let Some((source, text)) = text else {
         return Err(reading.reject());
     };
+    if !xml::looks_like_xml(&text)
+        && let Ok(tree) = crate::toml::parse(&text, source)
+    {
+        let faults = crate::world::neither(&tree);
+        if !faults.is_empty() {
+            reading.faults.extend(faults);
+            return Err(reading.reject());
+        }
+    }
     let is_world = match xml::looks_like_xml(&text) {
         true => xml::root_name(&text, source).as_deref() == Some("world"),
         false => crate::toml::parse(&text, source).is_ok_and(|tree| crate::world::is_world(&tree)),

@@ -4,8 +4,11 @@ use crate::plan::folder_of;
 use crate::variables::Variables;
 use crate::xml::{self, Document};
 use serde::de::DeserializeOwned;
-use simbeeotic_model::config::{Fault, Level, Node, SourceId, Sources, Span, Value, read_params};
+use simbeeotic_model::config::{
+    Fault, Key, Level, Node, SourceId, Sources, Span, Table, Value, read_params,
+};
 use simbeeotic_model::objects;
+use simbeeotic_units::did_you_mean;
 use simbeeotic_world::{
     Light, Material, Obstacle, ObstacleShape, Patch, Person, Place, Solid, Source, Spawn,
     Structure, World, WorldError,
@@ -60,14 +63,60 @@ pub(crate) fn tree(
 /// Whether a tree is that of a world, not of a scenario: it has keys of a world, and neither a run nor
 /// a model.
 pub(crate) fn is_world(root: &Node) -> bool {
-    let schema = schemars::schema_for!(World);
-    let known = schema.get("properties").and_then(|p| p.as_object());
-    let has = |key: &str| {
-        key == crate::generate::GENERATE || known.is_some_and(|known| known.contains_key(key))
-    };
+    let known = keys();
+    let has = |key: &str| known.iter().any(|known| known == key);
     root.as_table().is_some_and(|table| {
         table.keys().any(has) && ["run", "model"].iter().all(|key| table.get(key).is_none())
     })
+}
+
+/// The keys of a world file.
+fn keys() -> Vec<String> {
+    let schema = schemars::schema_for!(World);
+    let known = schema.get("properties").and_then(|p| p.as_object());
+    let known = known.into_iter().flat_map(|known| known.keys().cloned());
+    known
+        .chain([crate::generate::GENERATE.to_owned()])
+        .collect()
+}
+
+/// The faults of a tree that is neither a world nor a scenario: no key of it is one of either.
+pub(crate) fn neither(root: &Node) -> Vec<Fault> {
+    // Most files are a scenario; then there is no need of all its keys.
+    let is_scenario = |table: &Table| table.get("run").is_some() || table.get("model").is_some();
+    let Some(table) = root.as_table().filter(|table| !is_scenario(table)) else {
+        return Vec::new();
+    };
+    let schema = crate::schema::schema();
+    let of_scenario = schema.get("properties").and_then(|p| p.as_object());
+    let of_scenario = of_scenario.into_iter().flat_map(|known| known.keys());
+    let of_scenario: Vec<&str> = of_scenario.map(String::as_str).collect();
+    let of_world = keys();
+    let of_world: Vec<&str> = of_world.iter().map(String::as_str).collect();
+    let known = |key: &str| of_world.contains(&key) || of_scenario.contains(&key);
+    if table.keys().any(known) {
+        return Vec::new();
+    }
+    let fault = |(key, _): &(Key, Node)| {
+        let guess =
+            |known: &[&str]| did_you_mean(&key.text, known.iter().copied()).map(str::to_owned);
+        let said = |of: &str, known: &[&str]| match guess(known) {
+            Some(guess) => format!("in a {of}, did you mean `{guess}`?"),
+            None => format!("a {of} has `{}`", known.join("`, `")),
+        };
+        let message = format!(
+            "unknown key `{}`: neither a world nor a scenario has it",
+            key.text
+        );
+        let (world, scenario) = (said("world", &of_world), said("scenario", &of_scenario));
+        let help = match (guess(&of_world), guess(&of_scenario)) {
+            (Some(_), None) => world,
+            (None, Some(_)) => scenario,
+            _ => format!("{world}; {scenario}"),
+        };
+        Fault::error(key.span, message).help(help)
+    };
+    table.entries.iter().map(fault).collect()
 }
 
 /// The world in a tree, if everything in it can be. Files that it names are looked for in `folder`.
@@ -76,7 +125,7 @@ pub(crate) fn check(node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Opti
     let mut world: World = match read_params(node) {
         Ok(world) => world,
         Err(_) => {
-            faults.extend(all_faults(node));
+            faults.extend(all_faults(node).into_iter().map(in_short_too));
             return None;
         }
     };
@@ -158,6 +207,16 @@ fn all_faults(node: &Node) -> Vec<Fault> {
     }
     faults.extend(faults_of::<World>(&rest));
     faults
+}
+
+/// A list of one may be written in short. Whoever writes both is told so.
+fn in_short_too(mut fault: Fault) -> Fault {
+    for (one, many) in [("door", "doors"), ("window", "windows"), ("trap", "traps")] {
+        if fault.message == format!("duplicate field `{many}`") {
+            fault.message = format!("`{one}` and `{many}` say the same: one will do");
+        }
+    }
+    fault
 }
 
 fn faults_of<T: DeserializeOwned>(node: &Node) -> Vec<Fault> {

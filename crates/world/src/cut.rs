@@ -4,8 +4,8 @@
 //! whole; of the others what the holes leave free stays. No two pieces overlap, together they are the
 //! rectangle without its holes, and none is thinner than [`THINNEST_M`].
 
-/// Thinner pieces than this are left out, in metres.
-pub(crate) const THINNEST_M: f64 = 1e-9;
+/// Thinner pieces than this are left out, in metres: physics wants half extents of 1 nm.
+pub(crate) const THINNEST_M: f64 = 2e-9;
 
 /// A rectangle: from `low` to `high` along two axes, in metres. Strips run along the second.
 #[derive(Clone, Copy, Debug, PartialEq)]

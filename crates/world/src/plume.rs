@@ -117,7 +117,7 @@ pub(crate) struct Spread {
 }
 
 impl Stability {
-    /// Briggs' formulas as (slope, length, power): `slope x (1 + x / length)^power`.
+    /// Briggs' formulas as (slope, c, power): `slope x (1 + c x)^power`.
     fn briggs(self) -> [(f64, f64, f64); 2] {
         const ACROSS: f64 = 0.000_1;
         match self {

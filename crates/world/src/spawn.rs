@@ -160,6 +160,30 @@ pub(crate) fn area(corners: &[[f64; 2]]) -> f64 {
         .abs()
 }
 
+/// Polygons of more corners than this are not searched for sides that cross: the search takes the
+/// square of their number.
+const CROSSING_CORNERS_MAX: usize = 4096;
+
+/// Two sides of a polygon that cross, by the numbers of the corners they begin at. Sides that only
+/// touch do not cross.
+pub(crate) fn crossing(corners: &[[f64; 2]]) -> Option<[usize; 2]> {
+    let n = corners.len();
+    if n > CROSSING_CORNERS_MAX {
+        return None;
+    }
+    // Above zero if `c` lies to the left of the way from `a` to `b`.
+    let turn = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    let side = |i: usize| (corners[i], corners[(i + 1) % n]);
+    let apart = |x: f64, y: f64| x > 0.0 && y < 0.0 || x < 0.0 && y > 0.0;
+    let cross = |i: usize, j: usize| {
+        let ((a, b), (c, d)) = (side(i), side(j));
+        apart(turn(a, b, c), turn(a, b, d)) && apart(turn(c, d, a), turn(c, d, b))
+    };
+    (0..n).find_map(|i| (i + 1..n).find(|&j| cross(i, j)).map(|j| [i, j]))
+}
+
 /// A place with a name, for models: `cx.world().place("dock")`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

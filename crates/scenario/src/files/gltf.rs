@@ -195,9 +195,31 @@ impl Buffer {
             Some((_, text)) => {
                 base64::decode(text).ok_or_else(|| format!("buffer {at} is no base64"))
             }
-            None => other(uri).map_err(|message| format!("{uri}: {message}")),
+            None => percent_decoded(uri)
+                .and_then(|name| other(&name))
+                .map_err(|message| format!("{uri}: {message}")),
         }
     }
+}
+
+/// The name of a file from a relative URI: `%20` is a space (RFC 3986, section 2.1).
+fn percent_decoded(uri: &str) -> Result<String, String> {
+    let mut name = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let [first, after @ ..] = rest {
+        (rest, _) = match (first, after) {
+            (b'%', [high, low, after @ ..]) => {
+                let digit = |byte: &u8| char::from(*byte).to_digit(16);
+                let (Some(high), Some(low)) = (digit(high), digit(low)) else {
+                    return Err("two hexadecimal digits follow a `%`".into());
+                };
+                (after, name.push((16 * high + low) as u8))
+            }
+            (b'%', _) => return Err("two hexadecimal digits follow a `%`".into()),
+            (byte, after) => (after, name.push(*byte)),
+        };
+    }
+    String::from_utf8(name).map_err(|_| "its name is not UTF-8".into())
 }
 
 impl Document {

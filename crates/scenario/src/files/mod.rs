@@ -19,6 +19,7 @@ use simbeeotic_world::{
 };
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -211,7 +212,9 @@ impl Files<'_> {
             return;
         }
         let before = self.found.errors.len();
-        if let (Some(low), Some(high)) = (field.min_height, field.max_height)
+        // A picture's black is at 0 m if nothing is said.
+        let low = field.min_height.unwrap_or(Length::ZERO);
+        if let Some(high) = field.max_height
             && !(high > low && low.is_finite() && high.is_finite())
         {
             let message = format!("`max_height` is more than `min_height`, not {high} and {low}");
@@ -252,7 +255,7 @@ impl Files<'_> {
         let Some(Texture::File(name)) = texture else {
             return;
         };
-        let read = read(&self.folder.join(name));
+        let read = read_start(&self.folder.join(name), 8);
         let checked = read.and_then(|bytes| match bytes.as_slice() {
             [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, 0xff, ..] => Ok(()),
             _ => Err("this is neither a PNG nor a JPEG picture".into()),
@@ -282,12 +285,24 @@ fn points(read: &Triangles, scale: f64, up: UpAxis) -> Arc<[Offset]> {
 
 /// The bytes of a file that is not too large.
 fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let size = fs::metadata(path).map_err(|e| e.to_string())?.len();
-    if size > FILE_BYTES_MAX {
+    let bytes = read_start(path, FILE_BYTES_MAX + 1)?;
+    if bytes.len() as u64 > FILE_BYTES_MAX {
         let most = FILE_BYTES_MAX >> 20;
-        return Err(format!("it has {size} bytes; at most {most} MiB are read"));
+        return Err(format!("it is too large: at most {most} MiB are read"));
     }
-    fs::read(path).map_err(|e| e.to_string())
+    Ok(bytes)
+}
+
+/// The first bytes of a file, at most so many. Devices and pipes are refused unopened: they may have
+/// no end, or nobody who writes.
+fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    if !fs::metadata(path).map_err(|e| e.to_string())?.is_file() {
+        return Err("this is not a plain file".into());
+    }
+    let file = fs::File::open(path).map_err(|e| e.to_string())?;
+    let mut bytes = Vec::new();
+    let read = file.take(most).read_to_end(&mut bytes);
+    read.map(|_| bytes).map_err(|e| e.to_string())
 }
 
 fn text(bytes: &[u8]) -> Result<&str, String> {

@@ -3,7 +3,8 @@
 //! Binary: 80 bytes of anything, the number of triangles as 32 bits, then 50 bytes for each: a normal,
 //! three corners (12 numbers of 32 bits), two bytes of anything, all little endian. Text:
 //! `solid NAME`, `facet normal ..`, `outer loop`, three `vertex x y z`, `endloop`, `endfacet`,
-//! `endsolid`. A binary file may begin with `solid` too: its length tells. Normals are not used.
+//! `endsolid`. A binary file may begin with `solid` too: its length tells, and if that is wrong, that it
+//! has no `facet`. Normals are not used.
 
 use super::{Corners, Triangles};
 
@@ -14,7 +15,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Triangles, String> {
     let count = bytes.get(80..HEADER).and_then(|b| b.try_into().ok());
     let count = count.map(u32::from_le_bytes);
     let length = count.map(|n| HEADER as u64 + RECORD as u64 * u64::from(n));
-    let is_text = bytes.trim_ascii_start().starts_with(b"solid");
+    let facet = |word: &[u8]| word.eq_ignore_ascii_case(b"facet");
+    let is_text = bytes.trim_ascii_start().starts_with(b"solid") && bytes.windows(5).any(facet);
     match length {
         Some(length) if length == bytes.len() as u64 => binary(&bytes[HEADER..]),
         _ if is_text && std::str::from_utf8(bytes).is_ok() => ascii(super::text(bytes)?),
@@ -59,8 +61,8 @@ fn ascii(text: &str) -> Result<Triangles, String> {
             ("outer", None) => open = Some(Vec::new()),
             ("outer", Some(_)) => return wrong("a loop begins inside another one"),
             ("vertex", Some(triangle)) => {
-                let numbers: Vec<f64> = words.filter_map(finite).collect();
-                let [x, y, z] = numbers[..] else {
+                let numbers: Vec<Option<f64>> = words.map(finite).collect();
+                let [Some(x), Some(y), Some(z)] = numbers[..] else {
                     return wrong("a vertex has three numbers");
                 };
                 triangle.push(corners.number([x, y, z], &mut read.points));

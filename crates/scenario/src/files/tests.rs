@@ -155,6 +155,9 @@ fn damaged_meshes_say_what_is_wrong_with_them() {
     short.truncate(500);
     let wanted = "a binary STL file of 12 triangles has 684 bytes, not 500";
     assert_eq!(said(stl::parse(&short)), wanted);
+    // `solid NAME` and zeros are good text.
+    let wanted = "a binary STL file of 12 triangles has 684 bytes, not 84";
+    assert_eq!(said(stl::parse(&binary_stl()[..84])), wanted);
     let mut odd = binary_stl();
     odd[84 + 50 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert_eq!(
@@ -166,6 +169,11 @@ fn damaged_meshes_say_what_is_wrong_with_them() {
         said(stl::parse(text.as_bytes())),
         "line 4: a vertex has three numbers"
     );
+    for words in ["0 abc 0 0", "0 0 0 0", "0 0 1e999"] {
+        let text = ascii_stl().replacen("vertex 0e0 0 0", &format!("vertex {words}"), 1);
+        let wanted = "line 4: a vertex has three numbers";
+        assert_eq!(said(stl::parse(text.as_bytes())), wanted, "{words}");
+    }
     assert_eq!(
         said(stl::parse(b"PK")),
         "this is no STL file: it is too short"
@@ -375,4 +383,92 @@ fn what_is_wrong_is_told_at_the_key() {
             "terrain.height_field.width",
         ]
     );
+}
+
+#[test]
+fn the_name_of_a_gltf_buffer_is_percent_decoded() {
+    let asked = |uri: &str| {
+        let json = gltf_json(&format!("\"uri\": \"{uri}\", "));
+        let name = std::cell::RefCell::new(String::new());
+        gltf::parse(json.as_bytes(), |file| {
+            name.replace(file.to_owned());
+            Ok(gltf_bytes())
+        })
+        .map(|read| {
+            assert_eq!(read.triangles.len(), 12);
+            name.take()
+        })
+    };
+    assert_eq!(asked("my%20cube%C3%a9+1.bin"), Ok("my cubeé+1.bin".into()));
+    for uri in ["50%", "50%2", "50%+1"] {
+        let wanted = format!("{uri}: two hexadecimal digits follow a `%`");
+        assert_eq!(asked(uri), Err(wanted));
+    }
+    assert_eq!(asked("%ff"), Err("%ff: its name is not UTF-8".into()));
+}
+
+#[cfg(unix)]
+#[test]
+fn devices_and_folders_are_refused_unread() {
+    let mut world: World = serde_json::from_str(
+        r#"{"obstacle": [
+            {"shape": {"mesh": {"file": "zero.stl"}}, "texture": {"file": "zero.png"}},
+            {"shape": {"hull": {"file": "folder.obj"}}}],
+          "terrain": {"height_field": {"file": "zero.png", "length": "4 m", "width": "4 m",
+                                       "max_height": "1 m"}}}"#,
+    )
+    .expect("a world");
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["zero.stl", "zero.png"] {
+        std::os::unix::fs::symlink("/dev/zero", folder.path().join(name)).expect("linked");
+    }
+    fs::create_dir(folder.path().join("folder.obj")).expect("made");
+    let found = fill(&mut world, folder.path());
+    let told = |e: &[WorldError]| e.iter().map(|e| e.message.clone()).collect::<Vec<_>>();
+    assert_eq!(
+        told(&found.errors),
+        [
+            "zero.stl: this is not a plain file",
+            "folder.obj: this is not a plain file",
+            "zero.png: this is not a plain file",
+        ]
+    );
+    assert_eq!(
+        told(&found.warnings),
+        ["zero.png: this is not a plain file"]
+    );
+}
+
+#[test]
+fn of_a_texture_only_the_beginning_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.png");
+    fs::write(&file, [7; 100]).expect("written");
+    assert_eq!(read_start(&file, 8), Ok(vec![7; 8]));
+    assert_eq!(read(&file).map(|bytes| bytes.len()), Ok(100));
+}
+
+#[test]
+fn white_lies_above_black_even_if_black_is_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let picture = png(png::ColorType::Grayscale, png::BitDepth::Eight);
+    fs::write(folder.path().join("hills.png"), picture).expect("written");
+    let told = |heights: &str| {
+        let text = format!(
+            r#"{{"terrain": {{"height_field": {{"file": "hills.png", "length": "4 m",
+                "width": "4 m", {heights}}}}}}}"#
+        );
+        let mut world: World = serde_json::from_str(&text).expect("a world");
+        fill(&mut world, folder.path()).errors
+    };
+    for upside_down in [
+        r#""max_height": "-3 m""#,
+        r#""max_height": "0 m""#,
+        r#""min_height": "2 m", "max_height": "1 m""#,
+    ] {
+        let errors = told(upside_down);
+        assert_eq!(errors[0].path, "terrain.height_field.max_height");
+    }
+    assert_eq!(told(r#""max_height": "3 m""#), []);
+    assert_eq!(told(r#""min_height": "-5 m", "max_height": "-3 m""#), []);
 }

@@ -1,7 +1,7 @@
 //! World files: every element of the original's, every default; the same in TOML.
 
 use crate::{TOML, WORLD, good, shown};
-use simbeeotic_scenario::{Loaded, Request, convert_world, load_file, load_text};
+use simbeeotic_scenario::{Loaded, Request, check_file, convert_world, load_file, load_text};
 use simbeeotic_units::{Angle, Length, Position};
 use simbeeotic_world::{
     Color, Door, Obstacle, ObstacleShape, Patch, Person, PersonShape, Slab, Structure,
@@ -377,4 +377,55 @@ points = [
 "##;
     let said = said("w.toml", flat);
     assert!(said.contains("w.toml:5:"), "{said}");
+}
+
+#[test]
+fn one_and_a_list_of_the_same_are_told_apart_from_each_other() {
+    for (shape, one, many) in [
+        ("wall", "door", "doors"),
+        ("wall", "window", "windows"),
+        ("surface", "trap", "traps"),
+    ] {
+        let text = format!("[[structure]]\nshape.{shape} = {{ {one} = {{}}, {many} = [{{}}] }}\n");
+        let said = said("w.toml", &text);
+        let wanted = format!("`{one}` and `{many}` say the same: one will do");
+        assert!(said.contains(&wanted), "{said}");
+        assert!(!said.contains("duplicate"), "{said}");
+    }
+}
+
+#[test]
+fn a_file_of_misspelt_keys_alone_is_guessed_at_as_both() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let said = |text: &str| {
+        let file = folder.path().join("x.toml");
+        fs::write(&file, text).expect("written");
+        match check_file(&file, &Request::default()) {
+            Ok(_) => panic!("this should be wrong:\n{text}"),
+            Err(rejected) => shown(&rejected),
+        }
+    };
+    let world = said("[[obstcle]]\nlabel = \"post\"\n");
+    assert!(
+        world.contains("unknown key `obstcle`: neither a world nor a scenario has it"),
+        "{world}"
+    );
+    assert!(
+        world.contains("in a world, did you mean `obstacle`?"),
+        "{world}"
+    );
+    assert!(!world.contains("[run]"), "{world}");
+    let scenario = said("[[modle]]\nuse = \"inert-bee\"\n");
+    assert!(
+        scenario.contains("in a scenario, did you mean `model`?"),
+        "{scenario}"
+    );
+    let neither = said("zzzzzz = 1\n");
+    assert!(
+        neither.contains("a world has `") && neither.contains("a scenario has `"),
+        "{neither}"
+    );
+    // One key of a scenario makes it one.
+    let run = said("nmae = \"x\"\n[run]\n");
+    assert!(!run.contains("neither"), "{run}");
 }

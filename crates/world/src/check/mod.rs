@@ -25,13 +25,15 @@ pub struct WorldError {
 const FLOWERS_MAX: usize = 10_000_000;
 /// No thing is larger than this, in metres.
 const SIZE_M_MAX: f64 = 1e5;
+/// No thing is smaller than this, in metres: physics wants half extents of 1 nm.
+const SIZE_M_MIN: f64 = 2e-9;
 /// No thing stands farther from the origin than this along an axis, in metres.
 const PLACE_M_MAX: f64 = 1e7;
 
 impl World {
     /// Everything that is wrong with the numbers of this world; empty if it can be.
     ///
-    /// Sizes are above zero and at most 100 km, places at most 10,000 km from the origin along each
+    /// Sizes are at least 2 nm and at most 100 km, places at most 10,000 km from the origin along each
     /// axis. Whether the points of a hull or a mesh make a body, physics says.
     pub fn check(&self) -> Vec<WorldError> {
         let mut faults = Faults {
@@ -172,6 +174,14 @@ impl Faults<'_> {
     /// The size of a thing: above zero, and no mistake in a unit.
     fn size(&mut self, key: &str, size: Length) {
         self.positive(key, size);
+        if size.get() > 0.0 && size.get() < SIZE_M_MIN {
+            let least_nm = SIZE_M_MIN * 1e9;
+            let size_m = size.get();
+            self.fault(
+                key,
+                format!("`{key}` is {size_m:e} m; at least {least_nm} nm are possible"),
+            );
+        }
         if size.get() > SIZE_M_MAX {
             let most = Length::si(SIZE_M_MAX);
             self.fault(
@@ -378,6 +388,68 @@ mod tests {
             shape,
             ..Obstacle::default()
         }
+    }
+
+    #[test]
+    fn what_is_too_small_for_physics_is_too_small_here() {
+        let tiny = |size: f64| {
+            [
+                ObstacleShape::Sphere { radius: m(size) },
+                ObstacleShape::Box {
+                    length: m(1.0),
+                    width: m(1.0),
+                    height: m(size),
+                    rotation: simbeeotic_units::Angle::ZERO,
+                },
+            ]
+        };
+        for size in [1e-300, 1.9e-9] {
+            let world = World {
+                obstacles: tiny(size).map(obstacle).to_vec(),
+                ..World::default()
+            };
+            let wanted = [
+                "obstacle.0.shape.sphere.radius",
+                "obstacle.1.shape.box.height",
+            ];
+            assert_eq!(paths(&world), wanted);
+        }
+        let world = World {
+            obstacles: tiny(2e-9).map(obstacle).to_vec(),
+            ..World::default()
+        };
+        assert!(world.check().is_empty());
+        let sphere = ObstacleShape::Sphere { radius: m(1e-300) };
+        let world = World {
+            obstacles: vec![obstacle(sphere)],
+            ..World::default()
+        };
+        assert_eq!(
+            world.check()[0].message,
+            "`radius` is 1e-300 m; at least 2 nm are possible"
+        );
+    }
+
+    #[test]
+    fn a_mesh_without_area_is_refused() {
+        let with = |scale: f64, corners: [[f64; 3]; 3]| World {
+            obstacles: vec![obstacle(ObstacleShape::Mesh(crate::Mesh {
+                points: corners
+                    .map(|c| c.map(|x| scale * x))
+                    .map(|[x, y, z]| Offset::from_xyz(x, y, z))
+                    .into(),
+                triangles: [[0, 1, 2]].into(),
+                ..crate::Mesh::default()
+            }))],
+            ..World::default()
+        };
+        let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let line = [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]];
+        let flat = ["obstacle.0.shape.mesh.triangles"];
+        assert_eq!(paths(&with(1e-300, corner)), flat);
+        assert_eq!(paths(&with(0.0, corner)), flat);
+        assert_eq!(paths(&with(1.0, line)), flat);
+        assert!(with(1e-3, corner).check().is_empty());
     }
 
     #[test]

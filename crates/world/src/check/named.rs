@@ -3,7 +3,7 @@
 use super::{Faults, PLACE_M_MAX, SIZE_M_MAX};
 use crate::look::{Texture, TextureError};
 use crate::material::{BUILT_IN, LossRow, Material};
-use crate::spawn::{Place, Spawn, SpawnShape, area, bounds};
+use crate::spawn::{Place, Spawn, SpawnShape, area, bounds, crossing};
 use crate::world::World;
 use simbeeotic_units::{Decibels, Length, did_you_mean};
 
@@ -172,7 +172,12 @@ impl Faults<'_> {
             let boxed = (high[0] - low[0]) * (high[1] - low[1]);
             // False for no area at all, too.
             let wide = area(&corners) > LEAST_SHARE * boxed;
-            if !wide {
+            if let Some([one, other]) = crossing(&corners) {
+                let message = format!(
+                    "this polygon's sides cross: those from its corners {one} and {other}, counted from 0"
+                );
+                self.fault("corners", message);
+            } else if !wide {
                 let message = "this polygon has no area, or almost none";
                 self.fault("corners", message.into());
             }
@@ -317,6 +322,51 @@ mod tests {
                 "spawn.1.name",
             ]
         );
+    }
+
+    #[test]
+    fn a_polygon_whose_sides_cross_is_told_which() {
+        let with = |corners: &[[f64; 2]]| World {
+            spawns: vec![Spawn {
+                name: "a".into(),
+                shape: SpawnShape::Polygon {
+                    corners: corners.iter().map(|c| c.map(Length::si)).collect(),
+                    height: Length::ZERO,
+                },
+                meta: Meta::new(),
+            }],
+            ..World::default()
+        };
+        let said = |corners: &[[f64; 2]]| {
+            let errors = with(corners).check().into_iter();
+            errors.map(|e| e.message).collect::<Vec<_>>()
+        };
+        let wanted =
+            "this polygon's sides cross: those from its corners 0 and 2, counted from 0".to_owned();
+        let bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+        assert_eq!(said(&bow), [wanted.clone()]);
+        // Of unequal halves: its area by the formula is above 0.
+        let bow = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 1.0]];
+        assert_eq!(said(&bow), [wanted]);
+        // An L, and two triangles that touch at a corner, do not cross.
+        let bent = [
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [2.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 2.0],
+            [0.0, 2.0],
+        ];
+        assert!(said(&bent).is_empty());
+        let touching = [
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [1.0, 1.0],
+            [2.0, 2.0],
+            [0.0, 2.0],
+            [1.0, 1.0],
+        ];
+        assert!(said(&touching).is_empty());
     }
 
     #[test]

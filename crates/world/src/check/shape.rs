@@ -1,6 +1,6 @@
 //! What shapes cannot be.
 
-use super::{Faults, PLACE_M_MAX, SIZE_M_MAX};
+use super::{Faults, PLACE_M_MAX, SIZE_M_MAX, SIZE_M_MIN};
 use crate::cut::Rectangle;
 use crate::obstacle::{Obstacle, ObstaclePart, ObstacleShape};
 use crate::structure::{Slab, Structure, StructureShape, Wall};
@@ -71,7 +71,7 @@ impl Faults<'_> {
                 f.above_zero("scale", mesh.scale);
                 if mesh.file.is_none() {
                     f.points(&mesh.points, 3, "a mesh");
-                    f.triangles(&mesh.triangles, mesh.points.len());
+                    f.triangles(&mesh.triangles, &mesh.points);
                 }
             }),
             ObstacleShape::Parts(_) => {
@@ -92,7 +92,8 @@ impl Faults<'_> {
         });
     }
 
-    fn triangles(&mut self, triangles: &[[u32; 3]], points: usize) {
+    fn triangles(&mut self, triangles: &[[u32; 3]], corners: &[Offset]) {
+        let (before, points) = (self.found.len(), corners.len());
         if triangles.is_empty() {
             self.fault("triangles", "a mesh has one triangle or more".into());
         }
@@ -110,6 +111,14 @@ impl Faults<'_> {
                 }
             }
         });
+        let wide = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|i| corners[i as usize].si());
+            (b - a).cross(c - a).length() > SIZE_M_MIN * SIZE_M_MIN
+        };
+        if self.found.len() == before && !triangles.iter().any(wide) {
+            let message = "no triangle of this mesh has an area: is its scale right?";
+            self.fault("triangles", message.into());
+        }
     }
 
     pub(super) fn terrain(&mut self, terrain: &Terrain) {

@@ -6,7 +6,8 @@
 //! two, so it touches nothing: **what is called reachable is reachable**. The other way round holds
 //! where there is room: a way along which everything solid is at least `r + c/2 + c sqrt(3)/2`
 //! away is found. A gap that fits the vehicle with less air than that on each side may be missed;
-//! choose smaller cubes.
+//! choose smaller cubes. Only the middle of a cube is proven: `contains` answers for the whole cube that
+//! a point lies in, and a vehicle at its corner may touch.
 //!
 //! ```
 //! use simbeeotic_units::{Length, Position};
