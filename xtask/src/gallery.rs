@@ -40,9 +40,14 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
     std::fs::create_dir_all(&room)?;
     std::fs::create_dir_all(repo.path(IMAGES))?;
     let mut report = Report::of(String::new());
-    let mut drawn = 0;
+    let (mut drawn, mut plots) = (0, false);
     for picture in sections.iter().flat_map(|section| &section.pictures) {
         if !names.is_empty() && !names.contains(&picture.name) {
+            continue;
+        }
+        if matches!(picture.source, Source::Plot) {
+            plots = true;
+            drawn += 1;
             continue;
         }
         let file = format!("{IMAGES}/{}.png", picture.name);
@@ -57,6 +62,14 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
             report.faults.push(fault);
         }
         drawn += 1;
+    }
+    if plots {
+        let status = repo
+            .cargo()
+            .args(PLOTS)
+            .status()
+            .context("cannot run cargo")?;
+        anyhow::ensure!(status.success(), "what sensors read cannot be drawn");
     }
     std::fs::write(repo.path(PAGE), page(&sections))?;
     report.summary = format!("{drawn} pictures in {IMAGES}, and {PAGE}");
@@ -76,8 +89,20 @@ struct Picture {
     arguments: Vec<String>,
 }
 
+/// Draws what sensors read: all of [`Source::Plot`].
+const PLOTS: [&str; 6] = [
+    "run",
+    "--quiet",
+    "--package",
+    "simbeeotic",
+    "--example",
+    "sensor_pictures",
+];
+
 /// Which world a picture is of.
 enum Source {
+    /// None: it is a plot of what a sensor read.
+    Plot,
     Generated(String),
     File(String),
     Written(String),
@@ -88,6 +113,7 @@ impl Picture {
     fn world_file(&self, program: &Program<'_>, room: &Path) -> Result<PathBuf> {
         let made = room.join(format!("{}.toml", self.name));
         match &self.source {
+            Source::Plot => {}
             Source::File(file) => return Ok(PathBuf::from(file)),
             Source::Written(text) => std::fs::write(&made, text)?,
             Source::Generated(kind) => {
@@ -101,6 +127,7 @@ impl Picture {
     /// The commands that make it.
     fn commands(&self) -> String {
         let (mut commands, world) = match &self.source {
+            Source::Plot => return format!("cargo {}", PLOTS.join(" ")),
             Source::File(file) => (String::new(), file.clone()),
             Source::Written(_) => (String::new(), format!("{}.toml", self.name)),
             Source::Generated(kind) => (
@@ -133,6 +160,7 @@ fn sections(list: &Table) -> Result<Vec<Section>> {
 
 fn picture(table: &Table) -> Result<Picture> {
     let source = match (table.get("generate"), table.get("file"), table.get("world")) {
+        (None, None, None) if text(table, "name")?.starts_with("sensor-") => Source::Plot,
         (Some(_), None, None) => Source::Generated(text(table, "generate")?),
         (None, Some(_), None) => Source::File(text(table, "file")?),
         (None, None, Some(_)) => Source::Written(text(table, "world")?),
@@ -170,8 +198,8 @@ fn text(table: &Table, key: &str) -> Result<String> {
 /// The page, as Markdown.
 fn page(sections: &[Section]) -> String {
     let mut page = String::from(
-        "# Gallery\n\nEvery picture here is drawn by `simbeeotic picture`, with the camera that bees can carry. \
-         `cargo xtask gallery`\ndraws them all and writes this page, from `docs/book/gallery.toml`.\n",
+        "# Gallery\n\nPictures of worlds are drawn by `simbeeotic picture`, with the camera that bees can carry. \
+         `cargo xtask gallery`\ndraws all pictures and writes this page, from `docs/book/gallery.toml`.\n",
     );
     for section in sections {
         let _ = write!(page, "\n## {}\n", section.title);
@@ -180,11 +208,15 @@ fn page(sections: &[Section]) -> String {
         }
         for picture in &section.pictures {
             let Picture { name, caption, .. } = picture;
+            let plot = matches!(picture.source, Source::Plot);
+            let kind = if plot { "svg" } else { "png" };
             let _ = write!(
                 page,
-                "\n{caption}\n\n![{name}](../../images/gallery/{name}.png)\n"
+                "\n{caption}\n\n![{name}](../../images/gallery/{name}.{kind})\n"
             );
-            if let Source::Written(world) = &picture.source {
+            if plot {
+                // One command draws them all: the section says which.
+            } else if let Source::Written(world) = &picture.source {
                 let _ = write!(page, "\n```toml\n{}\n```\n", world.trim());
             } else {
                 let _ = write!(page, "\n```sh\n{}\n```\n", picture.commands());
