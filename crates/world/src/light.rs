@@ -110,7 +110,7 @@ impl Light {
             }
             let degrees = beam.half_angle.degrees();
             // A little more than 60 is what 60 degrees may be in radians.
-            if !(degrees >= NARROWEST_DEG && degrees <= 60.0 + 1e-9) {
+            if !(NARROWEST_DEG..=60.0 + 1e-9).contains(&degrees) {
                 let message = format!(
                     "a half angle lies between {NARROWEST_DEG} deg and 60 deg, not at {degrees:.4} deg"
                 );

@@ -27,6 +27,8 @@ const FLOWERS_MAX: usize = 10_000_000;
 const SIZE_M_MAX: f64 = 1e5;
 /// No thing is smaller than this, in metres: physics wants half extents of 1 nm.
 const SIZE_M_MIN: f64 = 2e-9;
+/// No person is smaller than this, in metres: the neck is one cell of thirteen.
+const MAN_M_MIN: f64 = 14.0 * SIZE_M_MIN;
 /// No thing stands farther from the origin than this along an axis, in metres.
 const PLACE_M_MAX: f64 = 1e7;
 
@@ -173,9 +175,14 @@ impl Faults<'_> {
 
     /// The size of a thing: above zero, and no mistake in a unit.
     fn size(&mut self, key: &str, size: Length) {
+        self.size_from(key, size, SIZE_M_MIN);
+    }
+
+    /// The same of a thing whose smallest part is as large as physics wants it at `least_m`.
+    fn size_from(&mut self, key: &str, size: Length, least_m: f64) {
         self.positive(key, size);
-        if size.get() > 0.0 && size.get() < SIZE_M_MIN {
-            let least_nm = SIZE_M_MIN * 1e9;
+        if size.get() > 0.0 && size.get() < least_m {
+            let least_nm = least_m * 1e9;
             let size_m = size.get();
             self.fault(
                 key,
@@ -263,8 +270,8 @@ impl Faults<'_> {
         self.feel(person.friction, person.restitution);
         let PersonShape::Man { width, height } = person.shape;
         self.within("shape.man", |f| {
-            f.size("width", width);
-            f.size("height", height);
+            f.size_from("width", width, MAN_M_MIN);
+            f.size_from("height", height, MAN_M_MIN);
         });
     }
 
@@ -419,6 +426,28 @@ mod tests {
             ..World::default()
         };
         assert!(world.check().is_empty());
+        let man = |height: f64| World {
+            people: vec![Person {
+                shape: PersonShape::Man {
+                    width: m(1.0),
+                    height: m(height),
+                },
+                ..Person::default()
+            }],
+            ..World::default()
+        };
+        assert_eq!(paths(&man(2e-8)), ["person.0.shape.man.height"]);
+        assert!(man(3e-8).check().is_empty());
+        let capsule = |height: f64| World {
+            obstacles: vec![obstacle(ObstacleShape::Capsule {
+                radius: m(1.0),
+                height: m(height),
+            })],
+            ..World::default()
+        };
+        let almost_a_sphere = paths(&capsule(2.0 + 1e-9));
+        assert_eq!(almost_a_sphere, ["obstacle.0.shape.capsule.height"]);
+        assert!(capsule(2.0 + 1e-8).check().is_empty());
         let sphere = ObstacleShape::Sphere { radius: m(1e-300) };
         let world = World {
             obstacles: vec![obstacle(sphere)],

@@ -53,7 +53,8 @@ impl Faults<'_> {
             &ObstacleShape::Capsule { radius, height } => self.within("capsule", |f| {
                 f.size("radius", radius);
                 f.size("height", height);
-                if height <= radius * 2.0 {
+                // The straight part has a size of its own.
+                if height <= radius * 2.0 || (height - radius * 2.0).get() < SIZE_M_MIN {
                     let ends = radius * 2.0;
                     let message = format!(
                         "a capsule with ends of {radius} is higher than {ends}, not {height}: at {ends} it is a sphere"
