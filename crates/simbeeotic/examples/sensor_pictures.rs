@@ -222,8 +222,8 @@ type Numbers = fn(&Taken) -> &[f64];
 /// The first columns of one unit over time.
 fn series(svg: &mut String, columns: &[Column], readings: &Readings) {
     // A number of something says more than a count, if there is one.
-    let measured = columns.iter().find(|column| column.unit != "1");
-    let Some(first) = measured.or_else(|| columns.first()) else {
+    let measured = |column: &&Column| column.unit != "1" && column.name != "time";
+    let Some(first) = columns.iter().find(measured).or_else(|| columns.first()) else {
         return;
     };
     let width = columns.len();
