@@ -96,11 +96,19 @@ mod tests {
         let wind = Velocity::from_xyz(1.0, 0.0, 0.0);
         let weather = ConstantWeather::from_params(ConstantWeatherParams { wind });
         let world = World {
-            sources: vec![Source {
-                position: Position::from_xyz(0.0, 0.0, 2.0),
-                stability: Stability::A,
-                ..Source::default()
-            }],
+            sources: vec![
+                Source {
+                    position: Position::from_xyz(0.0, 0.0, 2.0),
+                    stability: Stability::A,
+                    ..Source::default()
+                },
+                // Too far away for anybody to smell it.
+                Source {
+                    position: Position::from_xyz(0.0, 50_000.0, 2.0),
+                    gas: "nothing".to_owned(),
+                    ..Source::default()
+                },
+            ],
             ..World::default()
         };
         let setup = Setup {
