@@ -1,7 +1,7 @@
 //! Worlds made by rule: mazes, offices, mines, forests, cities, warehouses.
 //!
-//! Each kind is a pure function of its parameters, the seed among them: [`maze`], [`office`],
-//! [`mine`], [`forest`], [`city`], [`warehouse`]. The same parameters give the same world, to the
+//! Each kind is a pure function of its parameters, the seed among them: [`maze()`], [`office()`],
+//! [`mine()`], [`forest()`], [`city()`], [`warehouse()`]. The same parameters give the same world, to the
 //! last bit ([`fingerprint`]). Chance comes from streams that are named by seed, place and purpose:
 //! another window width does not move the furniture, and a further floor leaves those below as they
 //! are.
