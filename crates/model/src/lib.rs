@@ -62,7 +62,7 @@ pub use model::{Model, Wake};
 pub use population::{Member, Population};
 pub use reading::{Column, Reading};
 pub use registry::{FromParams, Generator, Radio, Site};
-pub use sampling::{Sample, SamplePhase, Sampling};
+pub use sampling::{Sample, SamplePhase, Sampling, random_phase};
 pub use scene::Scene;
 pub use sees::SeesWhat;
 pub use sensor::{Handle, Needs, Sensor, Taken};

@@ -81,6 +81,12 @@ impl Sampling {
     }
 }
 
+/// A random time of the first `period`, in nanoseconds: the first draw modulo the period. Periods that
+/// are multiples of each other so have phases that are, too, from equal streams. 0 for a period of 0.
+pub fn random_phase(period: u64, mut rng: Stream) -> u64 {
+    rng.next_u64().checked_rem(period).unwrap_or(0)
+}
+
 /// A reading, and when it was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<R> {
@@ -114,9 +120,7 @@ impl<R: Clone> Sampler<R> {
         let first = match sampling.phase {
             SamplePhase::Aligned => 0,
             SamplePhase::At(at) => nanos(at),
-            SamplePhase::Random => (phase().next_u64())
-                .checked_rem(period.unwrap_or(0))
-                .unwrap_or(0),
+            SamplePhase::Random => random_phase(period.unwrap_or(0), phase()),
         };
         Some(Self {
             period,
@@ -153,15 +157,11 @@ impl<R: Clone> Sampler<R> {
         if self.next > now {
             return false;
         }
-        while self.next <= now {
-            self.next = match self.next.checked_add_nanos(period) {
-                Some(next) => next,
-                None => SimTime::MAX,
-            };
-            if self.next == SimTime::MAX {
-                break;
-            }
-        }
+        // Its host may have been off for some periods.
+        let periods = (now.nanos() - self.next.nanos()) / period + 1;
+        let later = period.checked_mul(periods);
+        let next = later.and_then(|span| self.next.checked_add_nanos(span));
+        self.next = next.unwrap_or(SimTime::MAX);
         let first = self.newest.is_none() && self.under_way.is_empty();
         let reading = measure(rng);
         let lost = self.lost(first, rng);

@@ -1,8 +1,8 @@
 //! When something periodic first happens.
 
-use simbeeotic_model::choice;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::Time;
+use simbeeotic_model::{choice, random_phase};
 
 /// When something periodic first happens.
 #[choice]
@@ -24,14 +24,11 @@ impl Phase {
     /// All loops of one model count from one random instant, as those of an autopilot with one clock
     /// do: the first draw, in nanoseconds, modulo the period. A loop of 1 s then runs together with
     /// every tenth step of a loop of 100 ms, which is one wake-up less to fetch a bee's memory for.
-    pub fn first(self, period: Time, mut rng: Stream) -> Time {
+    pub fn first(self, period: Time, rng: Stream) -> Time {
         let period = SimTime::from_time(period).map_or(0, SimTime::nanos);
         match self {
             Self::Aligned => Time::ZERO,
-            Self::Random => {
-                let first = rng.next_u64().checked_rem(period).unwrap_or(0);
-                Time::from_nanos(first as f64)
-            }
+            Self::Random => Time::from_nanos(random_phase(period, rng) as f64),
         }
     }
 }

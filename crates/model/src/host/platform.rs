@@ -115,8 +115,9 @@ impl<'a> Platform<'a> {
 
     /// Tells the sensors of a touch.
     pub(crate) fn touched(&mut self, touch: &Touch) {
-        for at in 0..self.gear.sensors.len() {
-            self.with_sensor(at as u16, |sensor, truth| sensor.touched(touch, truth));
+        let mut truth = truth(&self.entity, false);
+        for sensor in &mut self.gear.sensors {
+            sensor.touched(touch, &mut truth);
         }
     }
 
@@ -127,18 +128,7 @@ impl<'a> Platform<'a> {
         act: impl FnOnce(&mut dyn AnySensor, &mut Truth<'_>) -> T,
     ) -> T {
         let Self { entity, gear } = self;
-        let mut truth = Truth {
-            now: entity.now(),
-            pose: entity.pose(),
-            twist: entity.twist(),
-            motion: entity.motion(),
-            host: entity.id(),
-            mount: Mount::IDENTITY,
-            swarm: entity.swarm,
-            watched: entity.swarm.watches(entity.id(), index),
-            core: &*entity.core,
-            taken: None,
-        };
+        let mut truth = truth(entity, entity.swarm.watches(entity.id(), index));
         let answer = act(&mut *gear.sensors[usize::from(index)], &mut truth);
         if let Some(taken) = truth.taken {
             self.entity.out.effect(Effect::Sensed(index, taken));
@@ -286,6 +276,22 @@ impl<'a> Platform<'a> {
         self.entity
             .swarm
             .accounts(self.entity.core, self.entity.now())
+    }
+}
+
+/// The truth about a body as its sensors see it now; `watched`: somebody looks at what they measure.
+fn truth<'t>(entity: &'t Entity<'_>, watched: bool) -> Truth<'t> {
+    Truth {
+        now: entity.now(),
+        pose: entity.pose(),
+        twist: entity.twist(),
+        motion: entity.motion(),
+        host: entity.id(),
+        mount: Mount::IDENTITY,
+        swarm: entity.swarm,
+        watched,
+        core: &*entity.core,
+        taken: None,
     }
 }
 

@@ -163,7 +163,18 @@ impl Ranger {
         }
     }
 
-    /// The same for a reading that may be nothing.
+    /// What is read, in the air where the sensor is, of one distance that may be nothing.
+    pub(super) fn read(
+        &mut self,
+        ideal: Option<Length>,
+        truth: &Truth<'_>,
+        rng: &mut Stream,
+    ) -> Option<Length> {
+        let air = self.clarity(truth);
+        self.measure_one(ideal, &air, rng)
+    }
+
+    /// As [`measure`](Self::measure), for a reading that may be nothing.
     pub(super) fn measure_one(
         &mut self,
         ideal: Option<Length>,

@@ -158,8 +158,7 @@ impl Sensor for Vl53l1x {
         truth: &Truth<'_>,
         rng: &mut Stream,
     ) -> Option<Length> {
-        let air = self.ranger.clarity(truth);
-        self.ranger.measure_one(ideal, &air, rng)
+        self.ranger.read(ideal, truth, rng)
     }
 
     fn current(&self) -> Current {

@@ -78,8 +78,7 @@ impl Sensor for WallDetector {
         truth: &Truth<'_>,
         rng: &mut Stream,
     ) -> Option<Length> {
-        let air = self.ranger.clarity(truth);
-        self.ranger.measure_one(ideal, &air, rng)
+        self.ranger.read(ideal, truth, rng)
     }
 }
 
