@@ -19,6 +19,7 @@
 // The attribute macros say `::simbeeotic_model`, in this crate too.
 extern crate self as simbeeotic_model;
 
+pub mod air;
 mod around;
 pub mod behavior;
 pub mod check;
@@ -49,6 +50,7 @@ pub mod vehicle;
 pub mod view;
 mod watch;
 
+pub use air::{Air, Fidelity, NoiseFloor};
 pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
 pub use component::{Component, ComponentError, Note};
@@ -74,8 +76,8 @@ pub use vehicle::{Setpoint, Vehicle, VehicleKit};
 pub use view::{Origin, Truth, View};
 
 pub use simbeeotic_macros::{
-    antenna, behavior, choice, component, generator, params, propagation, radio, sensor, vehicle,
-    weather,
+    antenna, behavior, choice, component, generator, medium, params, propagation, radio, sensor,
+    vehicle, weather,
 };
 
 pub use inventory;

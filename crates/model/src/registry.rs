@@ -6,6 +6,7 @@
 //! A crate that is only listed in `Cargo.toml` registers nothing until the program refers to it
 //! (`use my_parts as _;`).
 
+use crate::air::{AirMaker, Fidelity};
 use crate::behavior::{Behavior, BuildError};
 use crate::component::Component;
 use crate::config::{Fault, Node, Params, read_params};
@@ -41,6 +42,8 @@ pub enum Kind {
     Antenna,
     /// `[channel] use = "..."`
     Propagation,
+    /// `[channel] medium = "..."`
+    Medium,
     /// `[weather] use = "..."`
     Weather,
     /// `[world] generate = { use = "..." }`
@@ -51,13 +54,14 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of `simbeeotic list`.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Model,
         Self::Vehicle,
         Self::Sensor,
         Self::Radio,
         Self::Antenna,
         Self::Propagation,
+        Self::Medium,
         Self::Weather,
         Self::Generator,
         Self::Component,
@@ -72,6 +76,7 @@ impl Kind {
             Self::Radio => "radio",
             Self::Antenna => "antenna",
             Self::Propagation => "propagation",
+            Self::Medium => "medium",
             Self::Weather => "weather",
             Self::Generator => "generator",
             Self::Component => "component",
@@ -160,7 +165,9 @@ pub enum Make {
     /// An antenna pattern.
     Antenna(Maker<Arc<dyn Antenna>>),
     /// A propagation model.
-    Propagation(Maker<Arc<dyn Propagation>>),
+    Propagation(SiteMaker<Arc<dyn Propagation>>),
+    /// A medium; `None`: no packet goes anywhere.
+    Medium(AirMaker),
     /// Weather.
     Weather(SiteMaker<Arc<dyn Weather>>),
     /// A world.
@@ -228,7 +235,7 @@ pub trait FromParams: Sized + Send + 'static {
     /// Parameters out of range, by [`BuildError::parameter`].
     fn from_params(params: Self::Params) -> Result<Self, BuildError>;
 
-    /// Makes one for a run: for weather that draws chance or reads files. Unless it says otherwise, as
+    /// Makes one for a run: for weather and propagation that draw chance or read files. Unless it says otherwise, as
     /// [`from_params`](Self::from_params) does.
     ///
     /// # Errors
@@ -306,8 +313,18 @@ impl Part {
 
     /// A propagation model. Called by `#[propagation]`.
     pub const fn propagation<P: FromParams + Propagation>(label: Label) -> Self {
-        let make: Maker<Arc<dyn Propagation>> = |node| Ok(Arc::new(make_plain::<P>(node)?));
+        let make: SiteMaker<Arc<dyn Propagation>> =
+            |node, site| Ok(Arc::new(make_for_run::<P>(node, site)?));
         Self::new::<P::Params>(label, Kind::Propagation, Make::Propagation(make))
+    }
+
+    /// A level of fidelity of the air. Called by `#[medium]`.
+    pub const fn medium<F: Fidelity>(label: Label) -> Self {
+        let make: AirMaker = |node, air| {
+            let recipe = Recipe::<F::Params>::read(node)?;
+            F::medium(recipe.params.clone(), air).map_err(|e| vec![recipe.place(e)])
+        };
+        Self::new::<F::Params>(label, Kind::Medium, Make::Medium(make))
     }
 
     /// Weather. Called by `#[weather]`.

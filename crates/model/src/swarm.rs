@@ -605,11 +605,15 @@ impl Domain for Swarm {
 impl Swarm {
     fn hear(&self, model: &mut dyn Model, cx: &mut Cx<'_>) {
         let Some(medium) = &self.medium else { return };
+        let still = Still {
+            swarm: self,
+            now: cx.now,
+        };
         SCRATCH.with_borrow_mut(|scratch| {
             for at in 0..cx.core.radios.len() {
                 let timed = cx.core.id.0.is_multiple_of(TIMED_RECEIVERS);
                 let start = timed.then(crate::watch::now);
-                let inbox = medium.collect(cx.core.radios[at], scratch);
+                let inbox = medium.collect(cx.core.radios[at], &still, scratch);
                 if let Some(start) = start {
                     let nanos = crate::watch::nanos_since(start) * u64::from(TIMED_RECEIVERS);
                     self.radio_nanos.fetch_add(nanos, Ordering::Relaxed);

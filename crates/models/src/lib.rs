@@ -19,6 +19,7 @@ pub mod aerodynamics;
 pub mod antenna;
 pub mod behavior;
 pub mod generator;
+pub mod medium;
 pub mod phase;
 pub mod propagation;
 pub mod radio;

@@ -79,7 +79,7 @@ fn dense(c: &mut Criterion) {
             b.iter(|| {
                 round(&mut medium);
                 let received =
-                    (0..n as u32).map(|r| medium.collect(RadioId(r), &mut scratch).len());
+                    (0..n as u32).map(|r| medium.collect(RadioId(r), &poses, &mut scratch).len());
                 received.sum::<usize>()
             });
         });
@@ -87,7 +87,7 @@ fn dense(c: &mut Criterion) {
             b.iter(|| {
                 round(&mut medium);
                 (0..n as u32).fold(0, |hash, r| {
-                    hash ^ medium.collect(RadioId(r), &mut scratch).digest()
+                    hash ^ medium.collect(RadioId(r), &poses, &mut scratch).digest()
                 })
             });
         });
@@ -96,7 +96,7 @@ fn dense(c: &mut Criterion) {
                 round(&mut medium);
                 let mut bytes = 0;
                 for radio in 0..n as u32 {
-                    for packet in medium.collect(RadioId(radio), &mut scratch) {
+                    for packet in medium.collect(RadioId(radio), &poses, &mut scratch) {
                         bytes += black_box(packet).payload().len();
                     }
                 }
@@ -127,7 +127,7 @@ fn by_frame(c: &mut Criterion) {
                 medium.open(now, &poses, &mut owners);
                 let heard = owners
                     .iter()
-                    .map(|o| medium.collect(RadioId(o.0), &mut scratch).len());
+                    .map(|o| medium.collect(RadioId(o.0), &poses, &mut scratch).len());
                 heard.sum::<usize>()
             });
         });

@@ -42,7 +42,7 @@
 //! assert_eq!(owners, [ModelId(1), ModelId(2)]);
 //!
 //! let mut scratch = Scratch::new();
-//! for packet in medium.collect(radios[2], &mut scratch) {
+//! for packet in medium.collect(radios[2], &Line, &mut scratch) {
 //!     assert_eq!(packet.payload(), b"buzz");
 //!     assert!((packet.rssi().dbm() + 60.07).abs() < 0.01);
 //! }

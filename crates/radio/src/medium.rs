@@ -8,7 +8,7 @@ use crate::ledger::Usage;
 use crate::radio::{RadioError, RadioId, RadioSpec, RadioState};
 use crate::scratch::Scratch;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Current, Pose, Position, PowerLevel};
+use simbeeotic_units::{Current, Decibels, Frequency, Pose, Position, PowerLevel};
 
 /// Where platforms are at the instant that is being run.
 ///
@@ -27,6 +27,13 @@ pub trait Poses {
     /// Positions of many platforms, in their order: fills `positions`, which comes in empty.
     fn positions(&self, owners: &[ModelId], positions: &mut Vec<Position>) {
         positions.extend(owners.iter().map(|&owner| self.position(owner)));
+    }
+
+    /// What walls, things and bodies take of the power on the straight way between two antennas; the
+    /// platforms that carry them do not count. Asked only where the channel says so, and must not
+    /// depend on which end is which.
+    fn obstruction(&self, _ends: [(ModelId, Position); 2], _frequency: Frequency) -> Decibels {
+        Decibels::ZERO
     }
 
     /// A number that changes whenever a pose jumps within one instant (a teleport). While it stays
@@ -109,9 +116,14 @@ pub trait Medium: Send + Sync {
     /// those who will find a packet or an outcome in an inbox.
     fn open(&mut self, now: SimTime, poses: &dyn Poses, owners: &mut Vec<ModelId>);
 
-    /// What a radio received in this round. `scratch` is the thread's own, and holds the packets
-    /// until the next call.
-    fn collect<'a>(&'a self, radio: RadioId, scratch: &'a mut Scratch) -> Inbox<'a>;
+    /// What a radio received in this round. `poses` are those that the round was opened with;
+    /// `scratch` is the thread's own, and holds the packets until the next call.
+    fn collect<'a>(
+        &'a self,
+        radio: RadioId,
+        poses: &dyn Poses,
+        scratch: &'a mut Scratch,
+    ) -> Inbox<'a>;
 
     /// The power that a radio finds on its channel when it listens between frames: what clear
     /// channel assessment measures.

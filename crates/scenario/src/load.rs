@@ -362,20 +362,17 @@ impl Loaded {
         let plan = &self.plan;
         let run = &plan.run;
         let mut faults = Vec::new();
-        let medium = plan
-            .channel
-            .as_ref()
-            .map(|channel| channel.medium(run.seed));
-        let medium = match medium.transpose() {
-            Ok(medium) => medium.flatten(),
-            Err(message) => {
-                faults.push(Fault::error(None, message));
-                None
-            }
-        };
         let site = Site {
             seed: run.seed,
             folder: &plan.folder,
+        };
+        let medium = plan.channel.as_ref().map(|channel| channel.medium(&site));
+        let medium = match medium.transpose() {
+            Ok(medium) => medium.flatten(),
+            Err(found) => {
+                faults.extend(found);
+                None
+            }
         };
         let weather = plan.weather.as_ref().map(|choice| match choice.part.make {
             Make::Weather(make) => make(&choice.params, &site),

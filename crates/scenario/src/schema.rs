@@ -228,18 +228,23 @@ fn channel(all: &mut Definitions) -> Value {
             all.of::<Decibels>("Its standard deviation, drawn for each reception."),
         ),
     ]);
+    let names: Vec<&str> = of_kind(Kind::Medium).map(|part| part.label.name).collect();
+    let medium = one_of(
+        all,
+        Kind::Medium,
+        &Map::new(),
+        "How faithfully the air is simulated.",
+    );
     let common = entries([
-        (
-            "medium",
-            json!({
-                "enum": ["simple", "off"], "default": "simple",
-                "description": "How faithfully the air is simulated: `simple` is the paper's, without air time and interference.",
-            }),
-        ),
+        ("medium", json!({ "anyOf": [{ "enum": names }, medium] })),
         ("noise_floor", table(noise, "The noise at every receiver.")),
         (
             "range_limit",
             all.of::<Length>("Frames reach no further than this."),
+        ),
+        (
+            "walls",
+            json!({ "type": "boolean", "default": false, "description": "Whether walls and bodies in the line of sight take their share of the power." }),
         ),
     ]);
     one_of(

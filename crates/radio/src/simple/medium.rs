@@ -445,7 +445,12 @@ impl Medium for SimpleMedium {
         owners.dedup();
     }
 
-    fn collect<'a>(&'a self, id: RadioId, scratch: &'a mut Scratch) -> Inbox<'a> {
+    fn collect<'a>(
+        &'a self,
+        id: RadioId,
+        _poses: &dyn Poses,
+        scratch: &'a mut Scratch,
+    ) -> Inbox<'a> {
         let radio = &self.radios[id.index()];
         let band = &self.bands[radio.band as usize];
         let hits = match band.mode {

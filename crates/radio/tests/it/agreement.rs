@@ -199,7 +199,12 @@ fn threads_do_not_matter() {
         let collect = |first: usize| {
             let mut scratch = Scratch::new();
             let mine = (0..60).skip(first).step_by(threads);
-            let digest = |radio| (radio, m.collect(RadioId(radio), &mut scratch).digest());
+            let digest = |radio| {
+                (
+                    radio,
+                    m.collect(RadioId(radio), &poses, &mut scratch).digest(),
+                )
+            };
             mine.map(digest).collect::<Vec<_>>()
         };
         let mut digests: Vec<(u32, u64)> = std::thread::scope(|scope| {

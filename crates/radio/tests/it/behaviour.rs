@@ -149,7 +149,10 @@ fn sleepers_neither_hear_nor_send() {
         ticket: Ticket(9),
         result: Err(Loss::SenderAsleep),
     };
-    assert_eq!(m.collect(RadioId(1), &mut scratch).outcomes(), [refused]);
+    assert_eq!(
+        m.collect(RadioId(1), &poses, &mut scratch).outcomes(),
+        [refused]
+    );
     assert_eq!(m.state(RadioId(1), secs(2)), RadioState::Sleep);
 
     m.command(secs(2), RadioId(1), Command::Wake).unwrap();
@@ -234,7 +237,7 @@ fn outcomes_come_back_with_their_tickets() {
         "a payload of 117 bytes does not fit into a frame"
     );
     let mut scratch = Scratch::new();
-    let inbox = m.collect(RadioId(0), &mut scratch);
+    let inbox = m.collect(RadioId(0), &line(2, 5.0), &mut scratch);
     assert_eq!(
         inbox.outcomes(),
         [
@@ -293,7 +296,7 @@ fn payloads_are_shared_and_not_copied() {
     round(&mut m, secs(1), &line(3, 5.0));
     let mut scratch = Scratch::new();
     let packet = m
-        .collect(RadioId(2), &mut scratch)
+        .collect(RadioId(2), &line(3, 5.0), &mut scratch)
         .into_iter()
         .next()
         .unwrap();

@@ -93,7 +93,7 @@ pub(crate) fn round(medium: &mut SimpleMedium, now: SimTime, poses: &dyn Poses) 
         if !owners.contains(&owner) {
             continue;
         }
-        let inbox = medium.collect(RadioId(radio), &mut scratch);
+        let inbox = medium.collect(RadioId(radio), poses, &mut scratch);
         if !inbox.is_empty() || !inbox.outcomes().is_empty() {
             with_mail.push(owner);
         }
@@ -109,7 +109,7 @@ pub(crate) fn round(medium: &mut SimpleMedium, now: SimTime, poses: &dyn Poses) 
         let digest = inbox.digest();
         assert_eq!(
             digest,
-            medium.collect(RadioId(radio), &mut scratch).digest()
+            medium.collect(RadioId(radio), poses, &mut scratch).digest()
         );
     }
     with_mail.sort_unstable();

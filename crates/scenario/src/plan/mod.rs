@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! [run]        seed, end_time, wall_time, threads, real_time_factor, epoch, limits
-//! [channel]    use, medium, noise_floor, range_limit, the propagation's own parameters
+//! [channel]    use, medium, noise_floor, range_limit, walls, the propagation's own parameters
 //! [weather]    use, its own parameters
 //! world        = "file", or [world] with the world itself
 //! [variables]  what placeholders `${name}` stand for, here and in the world
@@ -30,8 +30,8 @@ mod start;
 pub use group::Group;
 pub use physics::PhysicsParams;
 pub use run::{Pace, Run};
+pub use shared::Channel;
 pub(crate) use shared::choice;
-pub use shared::{Channel, MediumKind};
 
 use crate::variables::Variables;
 use section::Section;
@@ -111,7 +111,7 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
     let run = run::read(&mut section, &mut cx.faults);
     let channel = section
         .get("channel")
-        .and_then(|node| shared::channel(node, &mut cx.faults));
+        .and_then(|node| shared::channel(node, cx));
     let weather = section
         .get("weather")
         .and_then(|node| shared::weather(node, cx));

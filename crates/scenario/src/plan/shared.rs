@@ -4,8 +4,9 @@ use super::section::Section;
 use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
-use simbeeotic_model::radio::{Medium, Propagation, SimpleConfig, SimpleMedium};
+use simbeeotic_model::radio::{FreeSpace, Medium, Propagation};
 use simbeeotic_model::registry::{Kind, Make, Site, find};
+use simbeeotic_model::{Air, NoiseFloor};
 use simbeeotic_units::{Decibels, Length, PowerLevel};
 use simbeeotic_world::World;
 use std::sync::Arc;
@@ -14,99 +15,141 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Channel {
     /// How faithfully it is simulated.
-    pub medium: MediumKind,
-    /// The settings of the `simple` medium, without the seed.
-    pub simple: SimpleConfig,
+    pub medium: Choice,
+    /// What distance does; `None`: free space.
+    pub propagation: Option<Choice>,
+    /// Frames reach no further than this.
+    pub range_limit: Option<Length>,
+    /// The noise at every receiver.
+    pub noise_floor: Option<NoiseFloor>,
+    /// Whether walls and bodies in the line of sight take their share.
+    pub walls: bool,
 }
 
-/// How faithfully the air is simulated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum MediumKind {
-    /// The paper's: no air time, no interference, noise drawn for each reception.
-    #[default]
-    Simple,
-    /// No packet goes anywhere.
-    Off,
-}
+/// The level of fidelity of a channel that names none.
+const DEFAULT_MEDIUM: &str = "simple";
 
 impl Channel {
-    /// A medium for one run.
+    /// A medium for one run; `None`: no packet goes anywhere.
     ///
     /// # Errors
-    /// Numbers that make no sense.
-    pub(crate) fn medium(&self, seed: u64) -> Result<Option<Box<dyn Medium>>, String> {
-        match self.medium {
-            MediumKind::Off => Ok(None),
-            MediumKind::Simple => {
-                let config = SimpleConfig {
-                    seed,
-                    ..self.simple.clone()
-                };
-                let medium = SimpleMedium::new(config).map_err(|e| e.to_string())?;
-                Ok(Some(Box::new(medium)))
-            }
+    /// Settings that a part refuses.
+    pub(crate) fn medium(&self, site: &Site<'_>) -> Result<Option<Box<dyn Medium>>, Vec<Fault>> {
+        let propagation = self.propagation(site)?;
+        let air = Air {
+            seed: site.seed,
+            propagation,
+            range_limit: self.range_limit,
+            noise_floor: self.noise_floor,
+            walls: self.walls,
+        };
+        match self.medium.part.make {
+            Make::Medium(make) => make(&self.medium.params, &air),
+            _ => Ok(None),
+        }
+    }
+
+    fn propagation(&self, site: &Site<'_>) -> Result<Arc<dyn Propagation>, Vec<Fault>> {
+        match &self.propagation {
+            Some(choice) => match choice.part.make {
+                Make::Propagation(make) => make(&choice.params, site),
+                _ => Ok(Arc::new(FreeSpace)),
+            },
+            None => Ok(Arc::new(FreeSpace)),
         }
     }
 }
 
-/// Mean and spread of the noise.
+/// `noise_floor`, as it is written.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct NoiseFloor {
+struct Noise {
     mean: PowerLevel,
     sigma: Decibels,
 }
 
-impl Default for NoiseFloor {
+impl Default for Noise {
+    /// The original's.
     fn default() -> Self {
-        let simple = SimpleConfig::default();
         Self {
-            mean: simple.noise_floor,
-            sigma: simple.noise_sigma,
+            mean: PowerLevel::from_dbm(-100.0),
+            sigma: Decibels::from_db(10.0),
         }
     }
 }
 
-pub(super) fn channel(node: &Node, faults: &mut Vec<Fault>) -> Option<Channel> {
+pub(super) fn channel(node: &Node, cx: &mut Context<'_>) -> Option<Channel> {
+    let faults = &mut cx.faults;
+    let before = faults.len();
     let mut section =
         Section::open_part(node, "`[channel]`", ("channel", Kind::Propagation), faults)?;
-    let part = part(&mut section, Kind::Propagation, faults);
-    let medium = section.read("medium", faults).unwrap_or_default();
-    let noise: NoiseFloor = section.read("noise_floor", faults).unwrap_or_default();
-    let range: Option<Length> = section.read("range_limit", faults);
-    let range_span = section.get("range_limit").map_or(node.span, |n| n.span);
-    let noise_span = section.get("noise_floor").map_or(node.span, |n| n.span);
-    let part = part?;
-    let rest = section.rest(part, faults);
-    let propagation = made(part.make, &rest, faults)?;
-    let mut simple = SimpleConfig {
-        noise_floor: noise.mean,
-        noise_sigma: noise.sigma,
-        propagation,
-        ..SimpleConfig::default()
+    let propagation = section
+        .get("use")
+        .map(|node| named(node, Kind::Propagation, faults));
+    let medium = match section.get("medium") {
+        Some(node) => choice(node, Kind::Medium, faults),
+        None => find(Kind::Medium, DEFAULT_MEDIUM).map(|part| Choice {
+            part,
+            params: empty(node.span),
+        }),
     };
-    if let Some(range) = range {
-        simple.range_limit = range;
-    }
-    if let Err(error) = simple.check() {
-        let text = error.to_string();
-        let span = if text.contains("range") {
-            range_span
-        } else {
-            noise_span
+    let noise_floor = noise_floor(&mut section, faults);
+    let range_limit = range_limit(&mut section, faults);
+    let walls = section.read("walls", faults).unwrap_or_default();
+    let propagation = match propagation {
+        Some(part) => {
+            let part = part?;
+            let params = section.rest(part, faults);
+            Some(Choice { part, params })
+        }
+        None => {
+            section.finish(faults);
+            None
+        }
+    };
+    let channel = Channel {
+        medium: medium?,
+        propagation,
+        range_limit,
+        noise_floor,
+        walls,
+    };
+    if faults.len() == before {
+        // Whether it can be made does not hang on chance.
+        let site = Site {
+            seed: 0,
+            folder: &cx.folder,
         };
-        faults.push(Fault::error(span, text));
-        return None;
+        channel
+            .medium(&site)
+            .map_err(|found| faults.extend(found))
+            .ok()?;
     }
-    Some(Channel { medium, simple })
+    Some(channel)
 }
 
-fn made(make: Make, rest: &Node, faults: &mut Vec<Fault>) -> Option<Arc<dyn Propagation>> {
-    let Make::Propagation(make) = make else {
-        return None;
-    };
-    make(rest).map_err(|found| faults.extend(found)).ok()
+fn noise_floor(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<NoiseFloor> {
+    let Noise { mean, sigma } = section.read("noise_floor", faults)?;
+    let span = section.get("noise_floor")?.span;
+    if !(-200.0..30.0).contains(&mean.dbm()) {
+        let message = format!("noise floor of {mean}: expected from -200 dBm to 30 dBm");
+        faults.push(Fault::error(span, message));
+    }
+    if !(0.0..=100.0).contains(&sigma.db()) {
+        let message = format!("noise sigma of {sigma}: expected from 0 dB to 100 dB");
+        faults.push(Fault::error(span, message));
+    }
+    Some(NoiseFloor { mean, sigma })
+}
+
+fn range_limit(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Length> {
+    let range: Length = section.read("range_limit", faults)?;
+    if range.metres().is_nan() || range <= Length::ZERO {
+        let span = section.get("range_limit")?.span;
+        let message = format!("range limit of {range}: expected more than 0 m");
+        faults.push(Fault::error(span, message));
+    }
+    Some(range)
 }
 
 pub(super) fn weather(node: &Node, cx: &mut Context<'_>) -> Option<Choice> {

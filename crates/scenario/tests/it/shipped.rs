@@ -358,12 +358,10 @@ fn every_default_of_a_scenario_is_that_of_the_original() {
     let run = &loaded.plan().run;
     assert_eq!(run.limits.end.as_secs_f64(), 1200.0);
     assert_eq!((run.seed, run.epoch.get()), (1, 28_800.0));
-    let channel = &loaded.plan().channel.as_ref().expect("there is one").simple;
-    assert_eq!(
-        (channel.noise_floor.dbm(), channel.noise_sigma.db()),
-        (-100.0, 10.0)
-    );
-    assert_eq!(channel.range_limit.get(), 10.0);
+    let channel = loaded.plan().channel.as_ref().expect("there is one");
+    let noise = channel.noise_floor.expect("the original's");
+    assert_eq!((noise.mean.dbm(), noise.sigma.db()), (-100.0, 10.0));
+    assert_eq!(channel.range_limit.map(|range| range.get()), Some(10.0));
     assert_eq!(*loaded.plan().world, World::default());
     let setup = loaded.setup().expect("good");
     // One model, named after its part, at the origin; its compass looks ahead from the middle.

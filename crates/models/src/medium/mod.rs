@@ -1,0 +1,4 @@
+//! Levels of fidelity of the air that radios share.
+
+pub mod off;
+pub mod simple;
