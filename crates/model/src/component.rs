@@ -6,6 +6,7 @@
 
 use crate::summary::Summary;
 use crate::view::View;
+use simbeeotic_kernel::SimTime;
 use simbeeotic_units::Time;
 
 /// Something that watches a run. Register it with `#[component("name")]`.
@@ -19,13 +20,27 @@ pub trait Component: Send {
         false
     }
 
+    /// Whether it looks at the frames that the radio of this path (`bee-17/radio`) sends, as
+    /// [`Mark::OnAir`](crate::Mark) and [`Mark::Heard`](crate::Mark): nothing is noted for nobody. Asked
+    /// once, before the first event; `among` is the number of all radios of the run.
+    fn wants_packets(&self, _radio: &str, _among: usize) -> bool {
+        false
+    }
+
+    /// When it wants to observe next, after an observation at `now`: a period later, unless it has a
+    /// clock of its own. What is not after `now` is never.
+    fn next_observation(&self, now: SimTime) -> Option<SimTime> {
+        now.checked_add_nanos(SimTime::from_time(self.period()?).ok()?.nanos())
+    }
+
     /// Called once, before the first event.
     ///
     /// # Errors
     /// The run does not start.
     fn start(&mut self, view: &View<'_>) -> Result<(), ComponentError>;
 
-    /// Called at time zero and every period, after all events of that instant.
+    /// Called at time zero and at each [`next_observation`](Self::next_observation), after all events of
+    /// that instant.
     ///
     /// # Errors
     /// The run ends.

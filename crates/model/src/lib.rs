@@ -35,6 +35,7 @@ mod kit;
 pub mod message;
 pub mod model;
 pub mod objects;
+pub mod packets;
 pub mod population;
 mod reading;
 pub mod registry;
@@ -61,6 +62,7 @@ pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Sta
 pub use image::{Image, Pixels};
 pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
+pub use packets::{Listener, OnAir, Reception, Transmission};
 pub use population::{Member, Population};
 pub use reading::{Column, Reading};
 pub use registry::{FromParams, Generator, Radio, Site};

@@ -14,6 +14,7 @@ use crate::host::Cx;
 use crate::instance::GearPlan;
 use crate::message::{Message, Thing, Touch};
 use crate::model::{Model, Wake as ModelWake};
+use crate::packets::{OnAir, PacketWatch, Reception};
 use crate::population::Population;
 use crate::scene::Look;
 use crate::sensor::Taken;
@@ -111,6 +112,8 @@ pub enum Effect {
     },
     /// A sensor has measured; noted for recorders only.
     Sensed(u16, Box<Taken>),
+    /// Packets were received; noted for recorders only.
+    Heard(Box<[Reception]>),
     /// A message has been read: whose, and which.
     Read(ModelId, u32),
 }
@@ -119,7 +122,7 @@ pub enum Effect {
 const _: () = assert!(size_of::<Effect>() == size_of::<Motion>());
 
 /// Something that happened, for recorders and viewers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Mark {
     /// A body touched something.
@@ -150,6 +153,20 @@ pub enum Mark {
         sensor: u16,
         /// What it read, and what was true.
         taken: Box<Taken>,
+    },
+    /// Frames began to be sent.
+    OnAir {
+        /// When.
+        time: SimTime,
+        /// Which, and who could listen.
+        air: Box<OnAir>,
+    },
+    /// A radio handed packets to its owner.
+    Heard {
+        /// When.
+        time: SimTime,
+        /// Which, and how well.
+        receptions: Box<[Reception]>,
     },
     /// A model published a number.
     Metric {
@@ -201,6 +218,8 @@ pub struct Swarm {
     /// Of each model, the sensors whose measurements somebody looks at, a bit each; empty if nobody
     /// looks at any. The last bit stands for all sensors from the 64th on.
     pub(crate) watched: Vec<u64>,
+    /// The radios whose frames somebody looks at, if there are any.
+    pub(crate) packet_watch: Option<Box<PacketWatch>>,
     /// The names of each model's sensors: those of one section share them.
     pub(crate) gear: Vec<Arc<GearPlan>>,
     /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
@@ -414,6 +433,11 @@ impl Swarm {
         }
         self.listeners = listeners;
         self.medium_nanos += start.map_or(0, crate::watch::nanos_since);
+        if let (true, Some(watch)) = (due, &self.packet_watch) {
+            let still = Still { swarm: self, now };
+            let air = watch.look(medium.as_ref(), |owner| still.position(owner), now);
+            self.marks.extend(air);
+        }
         self.medium = Some(medium);
     }
 }
@@ -590,6 +614,10 @@ impl Domain for Swarm {
                     taken,
                 });
             }
+            Effect::Heard(receptions) => {
+                let time = cx.now();
+                self.mark(|| Mark::Heard { time, receptions });
+            }
             Effect::Read(sender, number) => {
                 self.mail.0.remove(&(sender, number));
             }
@@ -620,6 +648,12 @@ impl Swarm {
                 }
                 if !inbox.is_empty() || !inbox.outcomes().is_empty() {
                     cx.out.fold(inbox.digest());
+                    if let Some(watch) = &self.packet_watch {
+                        let receptions = watch.receptions(&inbox);
+                        if !receptions.is_empty() {
+                            cx.out.effect(Effect::Heard(receptions));
+                        }
+                    }
                     model.wake(ModelWake::Packets(inbox), cx);
                 }
             }

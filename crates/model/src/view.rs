@@ -9,6 +9,7 @@ use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_physics::{BodyError, Kind, Motion, Support};
+use simbeeotic_radio::{Counters, RadioId};
 use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Rate, Twist, Velocity, glam,
 };
@@ -307,6 +308,22 @@ impl<'a> View<'a> {
     /// metrics, in order.
     pub fn marks(&self) -> &'a [Mark] {
         self.marks
+    }
+
+    /// The paths of all radios, by id: `bee-17/radio`. Made anew at each call.
+    pub fn radios(&self) -> Vec<String> {
+        crate::packets::radio_paths(self.swarm)
+    }
+
+    /// The model that carries a radio; `None` if there is no such radio.
+    pub fn radio_owner(&self, radio: RadioId) -> Option<ModelId> {
+        let medium = self.swarm.medium.as_ref()?;
+        (radio.index() < medium.radios()).then(|| medium.spec(radio).owner)
+    }
+
+    /// What became of all frames so far, or of those of one radio.
+    pub fn radio_counters(&self, radio: Option<RadioId>) -> Counters {
+        self.swarm.radio_counters(radio)
     }
 
     /// Packets sent and received so far.

@@ -3,6 +3,7 @@
 use crate::counters::Loss;
 use crate::radio::RadioId;
 use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_units::PowerLevel;
 use std::fmt;
 use std::sync::Arc;
 
@@ -109,6 +110,18 @@ impl Frame {
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.bytes
+    }
+
+    /// How long it is on the air, ns.
+    #[must_use]
+    pub fn airtime_nanos(&self) -> u64 {
+        self.airtime_ns
+    }
+
+    /// The power that its sender feeds into the antenna.
+    #[must_use]
+    pub fn power(&self) -> PowerLevel {
+        PowerLevel::from_milliwatts(f64::from(self.power_mw))
     }
 }
 

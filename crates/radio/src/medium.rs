@@ -2,7 +2,7 @@
 
 use crate::channel::Channel;
 use crate::counters::Counters;
-use crate::frame::Request;
+use crate::frame::{Frame, Request};
 use crate::inbox::Inbox;
 use crate::ledger::Usage;
 use crate::radio::{RadioError, RadioId, RadioSpec, RadioState};
@@ -124,6 +124,10 @@ pub trait Medium: Send + Sync {
         poses: &dyn Poses,
         scratch: &'a mut Scratch,
     ) -> Inbox<'a>;
+
+    /// Shows the frames whose transmission began in this round, in an order that repeats. For who
+    /// watches the air; a medium that shows none cannot be recorded packet by packet.
+    fn begun(&self, _visit: &mut dyn FnMut(&Frame)) {}
 
     /// The power that a radio finds on its channel when it listens between frames: what clear
     /// channel assessment measures.

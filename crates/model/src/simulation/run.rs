@@ -30,8 +30,8 @@ pub struct Simulation {
 /// A component and its clock.
 struct Observer {
     component: Box<dyn Component>,
-    /// When it observes next, and how often.
-    clock: Option<(SimTime, u64)>,
+    /// When it observes next.
+    clock: Option<SimTime>,
     /// Marks that it has seen.
     seen: usize,
 }
@@ -95,6 +95,11 @@ impl Simulation {
         if !observers.is_empty() {
             let wants = |sensor: &str| observers.iter().any(|o| o.component.wants_reading(sensor));
             engine.domain_mut().choose_readings(wants);
+            let wants = |radio: &str, among| {
+                let mut components = observers.iter().map(|o| &o.component);
+                components.any(|component| component.wants_packets(radio, among))
+            };
+            engine.domain_mut().choose_packets(wants);
         }
         let init_s = started.elapsed().as_secs_f64();
         Ok(Self {
@@ -217,12 +222,7 @@ impl Simulation {
             self.observers[at].component.start(&view)?;
         }
         loop {
-            let next = self
-                .observers
-                .iter()
-                .filter_map(|o| o.clock)
-                .map(|(at, _)| at)
-                .min();
+            let next = self.observers.iter().filter_map(|o| o.clock).min();
             let target = next.unwrap_or(SimTime::MAX).min(self.end());
             let status = self.engine.run_until(target)?;
             match status {
@@ -245,15 +245,13 @@ impl Simulation {
         let (engine, origin) = (&self.engine, &self.origin);
         let marks = &engine.domain().marks;
         for observer in &mut self.observers {
-            let Some((at, period)) = observer.clock else {
-                continue;
-            };
-            if at == now {
+            if observer.clock == Some(now) {
                 observer
                     .component
                     .observe(&view(engine, origin, now, &marks[observer.seen..]))?;
                 observer.seen = marks.len();
-                observer.clock = at.checked_add_nanos(period).map(|next| (next, period));
+                let next = observer.component.next_observation(now);
+                observer.clock = next.filter(|next| *next > now);
             }
         }
         self.forget_marks();
@@ -406,9 +404,8 @@ impl Observer {
     fn new(component: Box<dyn Component>) -> Self {
         let period = component.period().and_then(|p| SimTime::from_time(p).ok());
         let clock = period
-            .map(SimTime::nanos)
-            .filter(|p| *p > 0)
-            .map(|p| (SimTime::ZERO, p));
+            .filter(|period| *period > SimTime::ZERO)
+            .map(|_| SimTime::ZERO);
         Self {
             component,
             clock,

@@ -199,6 +199,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         marks: Vec::new(),
         keep_marks: false,
         watched: Vec::new(),
+        packet_watch: None,
         gear: gears,
         radio_nanos: AtomicU64::new(0),
         medium_nanos: 0,

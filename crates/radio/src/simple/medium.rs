@@ -478,6 +478,12 @@ impl Medium for SimpleMedium {
         }
     }
 
+    fn begun(&self, visit: &mut dyn FnMut(&Frame)) {
+        for band in &self.bands {
+            band.air.frames.iter().for_each(&mut *visit);
+        }
+    }
+
     fn ambient(&self, radio: RadioId) -> PowerLevel {
         self.noise(&self.specs[radio.index()]).mean
     }
