@@ -289,6 +289,7 @@ impl Swarm {
         let states = [
             (RadioState::Transmit, Consumer::RadioTx),
             (RadioState::Receive, Consumer::RadioRx),
+            (RadioState::Listen, Consumer::RadioRx),
             (RadioState::Idle, Consumer::RadioIdle),
             (RadioState::Sleep, Consumer::RadioSleep),
         ];
@@ -315,7 +316,7 @@ impl Swarm {
             let current = match medium.state(*radio, now) {
                 RadioState::Sleep => currents.sleep,
                 RadioState::Idle => currents.idle,
-                RadioState::Receive => currents.rx,
+                RadioState::Listen | RadioState::Receive => currents.rx,
                 RadioState::Transmit => currents.tx,
             };
             Some(current.get())

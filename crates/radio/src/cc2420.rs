@@ -9,6 +9,7 @@
 //! | idle | 0.426 mA | datasheet; the original Simbeeotic |
 //! | sleep | 0.02 uA, regulator off | datasheet |
 //! | sensitivity | -90 dBm | datasheet's guaranteed value; the original Simbeeotic (typical: -95 dBm) |
+//! | with air time | [`Phy::cc2420`] | there |
 //! | error model | [`Cc2420Curve`] | TOSSIM; the original Simbeeotic |
 //!
 //! The original counted the payload alone as air time. Here the overhead is on the air as well, so a
@@ -16,6 +17,7 @@
 
 use crate::channel::Channel;
 use crate::error_model::{Cc2420Curve, ErrorModel};
+use crate::phy::Phy;
 use crate::radio::{Currents, RadioSpec};
 use simbeeotic_units::{Current, DataRate, PowerLevel};
 use std::sync::{Arc, LazyLock};
@@ -80,6 +82,7 @@ pub fn spec(channel: u8, level: u8) -> Option<RadioSpec> {
             idle: Current::from_milliamperes(0.426),
             sleep: Current::from_microamperes(0.02),
         },
+        phy: Phy::cc2420(),
         ..RadioSpec::new(Channel::ieee802154(channel)?, Arc::clone(&ERROR))
     })
 }

@@ -173,15 +173,34 @@ impl Ledger {
             .map_or(0, |since| at.saturating_sub(since));
         let sleep = self.slept_ns + sleeping;
         let idle = at.saturating_sub(busy + sleep);
-        // In the order of `RadioState::ALL`.
-        let time = [sleep, idle, rx, tx].map(span);
+        self.account(currents, [sleep, idle, 0, rx, tx])
+    }
+
+    #[allow(dead_code, reason = "the medium that uses it is to come")]
+    /// The same for a radio whose receiver runs whenever it is awake and does not send, where
+    /// `rx_ns` of this time went into frames.
+    pub(crate) fn usage_listening(&self, currents: &Currents, until: SimTime, rx_ns: u64) -> Usage {
+        let at = until.nanos();
+        let tx = self.tx.before(at);
+        let sleeping = self
+            .asleep_since_ns
+            .map_or(0, |since| at.saturating_sub(since));
+        let sleep = self.slept_ns + sleeping;
+        let listen = at.saturating_sub(tx + sleep + rx_ns);
+        self.account(currents, [sleep, 0, listen, rx_ns, tx])
+    }
+
+    /// Times in the order of `RadioState::ALL`, and what they drew.
+    fn account(&self, currents: &Currents, nanos: [u64; RadioState::ALL.len()]) -> Usage {
+        let time = nanos.map(span);
         Usage {
             time,
             charge: [
                 currents.sleep * time[0],
                 currents.idle * time[1],
                 currents.rx * time[2],
-                self.tx_charge(currents.tx, tx),
+                currents.rx * time[3],
+                self.tx_charge(currents.tx, nanos[4]),
             ],
         }
     }
@@ -206,7 +225,7 @@ mod tests {
         SimTime::from_millis(millis)
     }
 
-    fn times_ms(ledger: &Ledger, until: u64) -> [f64; 4] {
+    fn times_ms(ledger: &Ledger, until: u64) -> [f64; RadioState::ALL.len()] {
         let usage = ledger.usage(&CURRENTS, ms(until));
         RadioState::ALL.map(|state| (usage.time(state).secs() * 1e9).round() / 1e6)
     }
@@ -216,7 +235,7 @@ mod tests {
         let ledger = Ledger::default();
         ledger.transmit(ms(10), 2_000_000);
         ledger.receive(ms(20), 5_000_000);
-        assert_eq!(times_ms(&ledger, 100), [0.0, 93.0, 5.0, 2.0]);
+        assert_eq!(times_ms(&ledger, 100), [0.0, 93.0, 0.0, 5.0, 2.0]);
         let usage = ledger.usage(&CURRENTS, ms(100));
         let expected = 93e-3 * 0.001 + 5e-3 * 0.010 + 2e-3 * 0.020;
         assert!((usage.total().coulombs() - expected).abs() < 1e-12);
@@ -230,14 +249,14 @@ mod tests {
         }
         ledger.receive(ms(11), 3_000_000);
         ledger.transmit(ms(13), 2_000_000);
-        assert_eq!(times_ms(&ledger, 20), [0.0, 15.0, 4.0, 2.0]);
+        assert_eq!(times_ms(&ledger, 20), [0.0, 15.0, 0.0, 4.0, 2.0]);
     }
 
     #[test]
     fn a_span_under_way_counts_up_to_now() {
         let ledger = Ledger::default();
         ledger.transmit(ms(10), 4_000_000);
-        assert_eq!(times_ms(&ledger, 11), [0.0, 10.0, 0.0, 1.0]);
+        assert_eq!(times_ms(&ledger, 11), [0.0, 10.0, 0.0, 0.0, 1.0]);
         assert_eq!(ledger.state(ms(11)), RadioState::Transmit);
         assert_eq!(ledger.state(ms(14)), RadioState::Idle);
     }
@@ -247,9 +266,9 @@ mod tests {
         let mut ledger = Ledger::default();
         ledger.transmit(ms(10), 2_000_000);
         ledger.sleep(ms(11));
-        assert_eq!(times_ms(&ledger, 20), [8.0, 10.0, 0.0, 2.0]);
+        assert_eq!(times_ms(&ledger, 20), [8.0, 10.0, 0.0, 0.0, 2.0]);
         ledger.wake(ms(30));
-        assert_eq!(times_ms(&ledger, 40), [18.0, 20.0, 0.0, 2.0]);
+        assert_eq!(times_ms(&ledger, 40), [18.0, 20.0, 0.0, 0.0, 2.0]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::antenna::{Antenna, Isotropic};
 use crate::channel::Channel;
 use crate::error_model::ErrorModel;
+use crate::phy::Phy;
 use simbeeotic_kernel::ModelId;
 use simbeeotic_units::{Current, DataRate, Decibels, Mount, PowerLevel, Time};
 use std::fmt;
@@ -53,6 +54,8 @@ pub struct RadioSpec {
     /// How well it copes with noise. Radios of one kind should share one model: a medium keeps
     /// tables for each.
     pub error: Arc<dyn ErrorModel>,
+    /// What media with air time ask of it besides: its receiver bit by bit, and its medium access.
+    pub phy: Phy,
     /// Its antenna.
     pub antenna: Arc<dyn Antenna>,
     /// Where its antenna sits on the platform, and which way its boresight points.
@@ -62,7 +65,8 @@ pub struct RadioSpec {
 impl RadioSpec {
     /// A radio with these essentials; the rest as a simple 2.4 GHz transceiver:
     /// 0 dBm, -90 dBm sensitivity, 250 kbit/s, no overhead, no limit of payload, a queue of 100
-    /// frames, no currents, an isotropic antenna at the platform's centre.
+    /// frames, no currents, IEEE 802.15.4 where air time matters, an isotropic antenna at the
+    /// platform's centre.
     #[must_use]
     pub fn new(channel: Channel, error: Arc<dyn ErrorModel>) -> Self {
         Self {
@@ -78,6 +82,7 @@ impl RadioSpec {
             queue_frames: 100,
             currents: Currents::default(),
             error,
+            phy: Phy::default(),
             antenna: Arc::new(Isotropic::default()),
             mount: Mount::default(),
         }
@@ -156,7 +161,7 @@ impl RadioSpec {
             let ok = current.is_finite() && current >= Current::ZERO;
             number(what, ok, &current, "0 A or more")?;
         }
-        Ok(())
+        self.phy.check()
     }
 }
 
@@ -165,9 +170,9 @@ impl RadioSpec {
 pub struct Currents {
     /// While sending, at the radio's power level.
     pub tx: Current,
-    /// While taking in a frame.
+    /// While taking in a frame, or listening for one.
     pub rx: Current,
-    /// While on and doing neither.
+    /// While on and doing neither, with the receiver off.
     pub idle: Current,
     /// While asleep.
     pub sleep: Current,
@@ -178,8 +183,11 @@ pub struct Currents {
 pub enum RadioState {
     /// Switched off by its owner; hears and sends nothing.
     Sleep,
-    /// On, neither sending nor taking in a frame.
+    /// On, neither sending nor taking in a frame, and drawing next to nothing for it: where a medium
+    /// does not look at what listening costs.
     Idle,
+    /// On with the receiver running and no frame to take in: draws what receiving draws.
+    Listen,
     /// Taking in a frame.
     Receive,
     /// Sending.
@@ -188,7 +196,13 @@ pub enum RadioState {
 
 impl RadioState {
     /// All states, in the order of their indices.
-    pub const ALL: [Self; 4] = [Self::Sleep, Self::Idle, Self::Receive, Self::Transmit];
+    pub const ALL: [Self; 5] = [
+        Self::Sleep,
+        Self::Idle,
+        Self::Listen,
+        Self::Receive,
+        Self::Transmit,
+    ];
 
     /// Its name in summaries and recordings.
     #[must_use]
@@ -196,6 +210,7 @@ impl RadioState {
         match self {
             Self::Sleep => "sleep",
             Self::Idle => "idle",
+            Self::Listen => "listen",
             Self::Receive => "receive",
             Self::Transmit => "transmit",
         }
