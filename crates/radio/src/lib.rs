@@ -56,7 +56,7 @@
 //!
 //! | layer | trait | here |
 //! |---|---|---|
-//! | which way the power goes | [`Antenna`] | [`Isotropic`] |
+//! | which way the power goes | [`Antenna`] | [`Isotropic`], [`ShortDipole`], [`HalfWaveDipole`], [`Patch`], [`Cosine`], [`Pattern`] |
 //! | what is left of it | [`Propagation`] | [`FreeSpace`] |
 //! | whether that is enough | [`ErrorModel`] | [`Cc2420Curve`], [`Threshold`] |
 //! | what the radio is | [`RadioSpec`], a record | [`cc2420`] |
@@ -85,7 +85,9 @@ pub mod radio;
 mod scratch;
 pub mod simple;
 
-pub use antenna::{Antenna, Isotropic};
+pub use antenna::{
+    Antenna, Cosine, HalfWaveDipole, Isotropic, Patch, Pattern, PatternFault, ShortDipole,
+};
 pub use channel::Channel;
 pub use counters::{Counters, Loss};
 pub use error_model::{Cc2420Curve, ErrorModel, Threshold};

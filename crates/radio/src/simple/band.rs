@@ -7,8 +7,9 @@ use crate::frame::Frame;
 use crate::inbox::Hit;
 use crate::medium::Poses;
 use crate::radio::RadioSpec;
+use glam::Mat3;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Attitude, Mount, Position};
+use simbeeotic_units::{Mount, Position};
 use std::sync::Arc;
 
 /// The radios on one channel and the frames among them.
@@ -51,8 +52,8 @@ pub(super) struct Members {
     pub(super) places: [Vec<f32>; 3],
     /// The antenna, if its gain depends on the direction.
     pub(super) directed: Vec<Option<Arc<dyn Antenna>>>,
-    /// world_from_antenna, where it matters.
-    pub(super) attitudes: Vec<Attitude>,
+    /// Rotations of directions from the world's frame to the antenna's, where it matters.
+    pub(super) antenna_from_world: Vec<Mat3>,
     /// Whether some antenna may be off its platform's centre, or have a direction.
     any_mounted: bool,
     /// Whether `directed` may hold an antenna.
@@ -216,7 +217,7 @@ impl Members {
             .push(uniform.is_none().then(|| Arc::clone(&spec.antenna)));
         self.any_directed |= uniform.is_none();
         self.one_curve = self.curves[0] == curve && (self.one_curve || row == 0);
-        self.attitudes.push(Attitude::IDENTITY);
+        self.antenna_from_world.push(Mat3::IDENTITY);
         self.in_range.push(0);
         self.audible.push(0);
         row
@@ -240,7 +241,7 @@ impl Members {
             axis.swap_remove(row);
         }
         self.directed.swap_remove(row);
-        self.attitudes.swap_remove(row);
+        self.antenna_from_world.swap_remove(row);
         let reach = Reach {
             in_range: self.in_range.swap_remove(row),
             audible: self.audible.swap_remove(row),
@@ -258,7 +259,8 @@ impl Members {
                 let mount = self.mounts[row];
                 if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
                     let antenna = poses.pose(self.owners[row]) * mount;
-                    self.attitudes[row] = antenna.attitude;
+                    let world_from_antenna = antenna.attitude.matrix();
+                    self.antenna_from_world[row] = world_from_antenna.transpose().as_mat3();
                     let place = antenna.position.si().as_vec3().to_array();
                     (0..3).for_each(|axis| self.places[axis][row] = place[axis]);
                 }

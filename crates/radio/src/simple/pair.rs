@@ -10,10 +10,10 @@ use super::success::{SLOTS, slot};
 use crate::inbox::Hit;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::scratch::{ROW, Row, Scratch};
-use glam::DVec3;
+use glam::Vec3;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_kernel::rng::draw_u32;
-use simbeeotic_units::{Frequency, Position};
+use simbeeotic_units::Frequency;
 use std::ops::Range;
 
 /// The numbers of many receivers, a column each.
@@ -268,17 +268,14 @@ pub(super) fn pick(
 /// Gains of the antennas with a direction at both ends of a link.
 fn directed_gain(members: &Members, tx: usize, rx: usize) -> f32 {
     let [east, north, up] = &members.places;
-    let place = |row: usize| DVec3::new(east[row].into(), north[row].into(), up[row].into());
+    let place = |row: usize| Vec3::new(east[row], north[row], up[row]);
     // Two antennas in one place have no direction to each other.
     let Some(tx_to_rx) = (place(rx) - place(tx)).try_normalize() else {
         return 1.0;
     };
-    let gain = |row: usize, direction: DVec3| match &members.directed[row] {
-        Some(antenna) => {
-            let seen = members.attitudes[row].unrotate(Position::from_si(direction));
-            antenna.gain(seen.si()).ratio()
-        }
+    let gain = |row: usize, direction: Vec3| match &members.directed[row] {
+        Some(antenna) => antenna.gain_linear(members.antenna_from_world[row] * direction),
         None => 1.0,
     };
-    (gain(tx, tx_to_rx) * gain(rx, -tx_to_rx)) as f32
+    gain(tx, tx_to_rx) * gain(rx, -tx_to_rx)
 }
