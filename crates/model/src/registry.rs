@@ -163,7 +163,7 @@ pub enum Make {
     /// A radio, without owner and antenna.
     Radio(Maker<RadioSpec>),
     /// An antenna pattern.
-    Antenna(Maker<Arc<dyn Antenna>>),
+    Antenna(SiteMaker<Arc<dyn Antenna>>),
     /// A propagation model.
     Propagation(SiteMaker<Arc<dyn Propagation>>),
     /// A medium; `None`: no packet goes anywhere.
@@ -235,7 +235,8 @@ pub trait FromParams: Sized + Send + 'static {
     /// Parameters out of range, by [`BuildError::parameter`].
     fn from_params(params: Self::Params) -> Result<Self, BuildError>;
 
-    /// Makes one for a run: for weather and propagation that draw chance or read files. Unless it says otherwise, as
+    /// Makes one for a run: for weather and propagation that draw chance, and whatever reads files. An
+    /// antenna is made once for all models of an entry, with a seed of 0. Unless it says otherwise, as
     /// [`from_params`](Self::from_params) does.
     ///
     /// # Errors
@@ -307,7 +308,8 @@ impl Part {
 
     /// An antenna pattern. Called by `#[antenna]`.
     pub const fn antenna<A: FromParams + Antenna>(label: Label) -> Self {
-        let make: Maker<Arc<dyn Antenna>> = |node| Ok(Arc::new(make_plain::<A>(node)?));
+        let make: SiteMaker<Arc<dyn Antenna>> =
+            |node, site| Ok(Arc::new(make_for_run::<A>(node, site)?));
         Self::new::<A::Params>(label, Kind::Antenna, Make::Antenna(make))
     }
 

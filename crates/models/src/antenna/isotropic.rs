@@ -1,6 +1,6 @@
 //! An antenna that radiates alike in every direction.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use simbeeotic_model::radio::{Antenna, Isotropic};
 use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{BuildError, FromParams, antenna, params};
@@ -39,6 +39,10 @@ impl FromParams for IsotropicAntenna {
 impl Antenna for IsotropicAntenna {
     fn gain(&self, direction: DVec3) -> Decibels {
         self.0.gain(direction)
+    }
+
+    fn gain_linear(&self, direction: Vec3) -> f32 {
+        self.0.gain_linear(direction)
     }
 
     fn uniform_gain(&self) -> Option<Decibels> {

@@ -183,7 +183,11 @@ impl Axis {
         if at <= end {
             return self.between(at);
         }
-        (last, 0, ((at - end) / (first + 360.0 - end)).clamp(0.0, 1.0))
+        (
+            last,
+            0,
+            ((at - end) / (first + 360.0 - end)).clamp(0.0, 1.0),
+        )
     }
 }
 
@@ -238,9 +242,8 @@ fn header(number: usize, line: &str, faults: &mut Vec<PatternFault>) -> Vec<Colu
         match NAMES.iter().find(|(known, _)| *known == name) {
             Some((_, kind)) => {
                 let height = |c| matches!(c, Column::Elevation | Column::Theta);
-                let same = |(other, _): &&(Column, &str)| {
-                    other == kind || height(*other) && height(*kind)
-                };
+                let same =
+                    |(other, _): &&(Column, &str)| other == kind || height(*other) && height(*kind);
                 match columns.iter().find(same) {
                     Some((_, other)) if *other == name => {
                         faults.push(fault(format!("a second `{name}`")));
@@ -328,12 +331,7 @@ fn rows(text: &str, faults: &mut Vec<PatternFault>) -> Vec<Row> {
     rows
 }
 
-fn row(
-    line: usize,
-    text: &str,
-    columns: &[Column],
-    faults: &mut Vec<PatternFault>,
-) -> Option<Row> {
+fn row(line: usize, text: &str, columns: &[Column], faults: &mut Vec<PatternFault>) -> Option<Row> {
     let before = faults.len();
     let found = cells(text).count();
     if found != columns.len() {
@@ -410,11 +408,7 @@ fn place(values: &[f64], value: f64) -> usize {
     values.partition_point(|&v| v < value - SAME_DEG)
 }
 
-fn fill(
-    rows: &[Row],
-    azimuths: &[f64],
-    elevations: &[f64],
-) -> Result<Vec<f64>, Vec<PatternFault>> {
+fn fill(rows: &[Row], azimuths: &[f64], elevations: &[f64]) -> Result<Vec<f64>, Vec<PatternFault>> {
     let mut faults = Vec::new();
     let cells = azimuths.len().saturating_mul(elevations.len());
     let last = rows.last().map_or(1, |row| row.line);

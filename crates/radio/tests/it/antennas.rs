@@ -13,12 +13,15 @@ use std::sync::Arc;
 /// Received power between two radios with these antennas, mounts and poses, dBm; `None` if it is lost.
 fn rssi(ends: [(Arc<dyn Antenna>, Mount, Pose); 2]) -> Option<f64> {
     let poses = Still(ends.iter().map(|(.., pose)| *pose).collect());
-    let specs = ends.into_iter().enumerate().map(|(i, (antenna, mount, _))| RadioSpec {
-        antenna,
-        mount,
-        sensitivity: PowerLevel::from_dbm(-140.0),
-        ..bee(i)
-    });
+    let specs = ends
+        .into_iter()
+        .enumerate()
+        .map(|(i, (antenna, mount, _))| RadioSpec {
+            antenna,
+            mount,
+            sensitivity: PowerLevel::from_dbm(-140.0),
+            ..bee(i)
+        });
     let mut quiet = quiet();
     quiet.noise_floor = PowerLevel::from_dbm(-170.0);
     let mut air = medium(quiet, specs);
@@ -102,12 +105,20 @@ fn a_boresight_looks_where_the_body_and_its_mount_look() {
         (turned(0.0, 0.0, 0.0), turned(0.0, 0.0, quarter), DVec3::Y),
         // The mount looks left on the body.
         (turned(0.0, 0.0, quarter), turned(0.0, 0.0, 0.0), DVec3::Y),
-        (turned(0.0, 0.0, quarter), turned(0.0, 0.0, quarter), -DVec3::X),
+        (
+            turned(0.0, 0.0, quarter),
+            turned(0.0, 0.0, quarter),
+            -DVec3::X,
+        ),
         // Nose down, and a mount that looks down.
         (turned(0.0, 0.0, 0.0), turned(0.0, quarter, 0.0), -DVec3::Z),
         (turned(0.0, quarter, 0.0), turned(0.0, 0.0, 1.0), -DVec3::Z),
         // Looks left on a body that has rolled by a right angle to its right: left is up.
-        (turned(0.0, 0.0, quarter), turned(quarter, 0.0, 0.0), DVec3::Z),
+        (
+            turned(0.0, 0.0, quarter),
+            turned(quarter, 0.0, 0.0),
+            DVec3::Z,
+        ),
     ] {
         let mount = facing(mount);
         let ahead = gain(mount, attitude, direction);

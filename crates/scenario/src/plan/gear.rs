@@ -2,22 +2,24 @@
 
 use super::section::{Section, read, table_help};
 use super::shared::choice;
-use super::{Choice, part};
+use super::{Choice, Context, part};
 use crate::limit::MOUNT_M_MAX;
 use simbeeotic_model::config::{Fault, Node, Table, Value};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
-use simbeeotic_model::registry::{Kind, Make};
+use simbeeotic_model::registry::{Kind, Make, Site};
 use simbeeotic_model::{BuildError, SamplePhase, Sampling, Supply};
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Angle, Attitude, Current, Frequency, Mount, Offset, Time, Yaw, math};
+use std::path::Path;
 use std::sync::Arc;
 
 /// What a radio is called that stands alone.
 const RADIO: &str = "radio";
 
 /// Reads the keys `sensor`, `radio` and `battery` of a model.
-pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPlan {
+pub(super) fn gear(section: &mut Section<'_>, cx: &mut Context<'_>) -> GearPlan {
+    let (faults, folder) = (&mut cx.faults, cx.folder.as_path());
     let mut gear = GearPlan::default();
     if let Some(node) = section.get("sensor") {
         for (name, node) in named_tables(node, "sensor", Kind::Sensor, faults) {
@@ -29,10 +31,10 @@ pub(super) fn gear(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> GearPl
             .as_table()
             .is_some_and(|t| t.get("use").is_some() || only_values(t));
         if single {
-            gear.radios.extend(radio(RADIO, node, faults));
+            gear.radios.extend(radio(RADIO, node, folder, faults));
         } else {
             for (name, node) in named_tables(node, "radio", Kind::Radio, faults) {
-                gear.radios.extend(radio(name, node, faults));
+                gear.radios.extend(radio(name, node, folder, faults));
             }
         }
     }
@@ -199,12 +201,12 @@ fn sampling(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Sampli
     }
 }
 
-fn radio(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<RadioPlan> {
+fn radio(name: &str, node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Option<RadioPlan> {
     let mut section = Section::open(node, "a radio", faults)?;
     let part = part(&mut section, Kind::Radio, faults);
     let mount = mount(&mut section, faults);
     let antenna = match section.get("antenna") {
-        Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| antenna(&c, faults)),
+        Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| antenna(&c, folder, faults)),
         None => Some(Arc::new(Isotropic::default()) as Arc<dyn Antenna>),
     };
     let part = part?;
@@ -225,11 +227,13 @@ fn radio(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<RadioPlan> 
     })
 }
 
-fn antenna(choice: &Choice, faults: &mut Vec<Fault>) -> Option<Arc<dyn Antenna>> {
+fn antenna(choice: &Choice, folder: &Path, faults: &mut Vec<Fault>) -> Option<Arc<dyn Antenna>> {
     let Make::Antenna(make) = choice.part.make else {
         return None;
     };
-    make(&choice.params)
+    // Nothing of an antenna hangs on chance.
+    let site = Site { seed: 0, folder };
+    make(&choice.params, &site)
         .map_err(|found| faults.extend(found))
         .ok()
 }

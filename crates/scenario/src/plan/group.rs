@@ -72,7 +72,7 @@ fn group(node: &Node, cx: &mut Context<'_>) -> Option<Group> {
             choice.and_then(|c| vehicle_factory(&c, &mut cx.faults)),
         )
     });
-    let gear = gear(&mut section, &mut cx.faults);
+    let gear = gear(&mut section, cx);
     let nested = section
         .get("model")
         .map(|node| groups(node, cx))
