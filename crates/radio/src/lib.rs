@@ -75,6 +75,7 @@ pub mod cc2420;
 pub mod channel;
 pub mod counters;
 pub mod error_model;
+mod fast;
 pub mod frame;
 pub mod inbox;
 pub mod ledger;
@@ -83,6 +84,7 @@ pub mod phy;
 pub mod propagation;
 pub mod radio;
 mod scratch;
+pub mod shadowing;
 pub mod simple;
 
 pub use antenna::{
@@ -96,7 +98,11 @@ pub use inbox::{Inbox, Packet, Packets};
 pub use ledger::Usage;
 pub use medium::{Command, Medium, Poses};
 pub use phy::{Access, Acks, BitErrors, Cca, CcaMode, Csma, LinkQuality, OqpskDsss, Phy, Spacing};
-pub use propagation::{End, FrameKeys, FreeSpace, Link, Links, Propagation, Role};
+pub use propagation::{
+    End, FrameKeys, FreeSpace, Ground, Link, Links, LogDistance, Polarisation, Propagation, Role,
+    TwoRay, TwoRayExact, TwoRayForm,
+};
 pub use radio::{Currents, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;
+pub use shadowing::Shadowing;
 pub use simple::{SimpleConfig, SimpleMedium};

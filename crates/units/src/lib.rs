@@ -52,10 +52,11 @@ pub mod text;
 /// The linear algebra below the typed vectors, at the version this crate uses.
 pub use glam;
 pub use quantity::{
-    Acceleration, Angle, AngularRate, Area, Charge, Circulation, Concentration, Current, DataRate,
-    Decibels, Density, Energy, Force, Frequency, Illuminance, Impulse, Length, LuminousIntensity,
-    MagneticField, Mass, MassRate, Power, PowerLevel, Pressure, Quantity, QuantityError, RainRate,
-    Resistance, Scale, Speed, Temperature, Time, Torque, Unit, VectorQuantity, Voltage,
+    Acceleration, Angle, AngularRate, Area, Charge, Circulation, Concentration, Conductivity,
+    Current, DataRate, Decibels, Density, Energy, Force, Frequency, Illuminance, Impulse, Length,
+    LuminousIntensity, MagneticField, Mass, MassRate, Power, PowerLevel, Pressure, Quantity,
+    QuantityError, RainRate, Resistance, Scale, Speed, Temperature, Time, Torque, Unit,
+    VectorQuantity, Voltage,
 };
 pub use space::{
     Accel, Attitude, Enu, Flu, ForceVec, Frame, Heading, ImpulseVec, Mount, Offset, Pose, Position,

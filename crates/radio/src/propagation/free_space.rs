@@ -1,7 +1,6 @@
 //! Free space: nothing but distance.
 
-use super::{Link, Links, Propagation};
-use simbeeotic_units::constants::SPEED_OF_LIGHT;
+use super::{Link, Links, Propagation, reference_m};
 use simbeeotic_units::{Decibels, Frequency};
 
 /// Free space: nothing but distance. `loss = 20 log10(4 pi d / lambda)`, never below 0 dB.
@@ -14,21 +13,21 @@ use simbeeotic_units::{Decibels, Frequency};
 pub struct FreeSpace;
 
 impl FreeSpace {
-    /// `(lambda / 4 pi)²`, m²: the square of the distance at which the loss is 0 dB.
-    fn reference_m2(frequency: Frequency) -> f64 {
-        let reference_m = (SPEED_OF_LIGHT / frequency).metres() / (4.0 * std::f64::consts::PI);
-        reference_m * reference_m
+    /// The loss at a distance, metres.
+    pub(super) fn loss_at(distance_m: f64, frequency: Frequency) -> Decibels {
+        let ratio = distance_m / reference_m(frequency);
+        Decibels::from_ratio((ratio * ratio).max(1.0))
     }
 }
 
 impl Propagation for FreeSpace {
     fn loss(&self, link: &Link) -> Decibels {
-        let squared = link.distance_m * link.distance_m;
-        Decibels::from_ratio((squared / Self::reference_m2(link.frequency)).max(1.0))
+        Self::loss_at(link.distance_m, link.frequency)
     }
 
     fn gains(&self, links: &Links<'_>, gains: &mut [f32]) {
-        let reference_m2 = Self::reference_m2(links.frequency) as f32;
+        let reference_m = reference_m(links.frequency);
+        let reference_m2 = (reference_m * reference_m) as f32;
         for (gain, &squared) in gains.iter_mut().zip(links.distances_squared_m2) {
             let held = if squared > reference_m2 {
                 squared

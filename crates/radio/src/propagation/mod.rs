@@ -6,12 +6,21 @@
 //! writes a new one starts with `loss` alone and gets `gains` for free, slowly.
 
 mod free_space;
+mod log_distance;
+#[cfg(test)]
+pub(crate) mod testing;
+mod two_ray;
+mod two_ray_exact;
 
 pub use free_space::FreeSpace;
+pub use log_distance::LogDistance;
+pub use two_ray::{TwoRay, TwoRayForm};
+pub use two_ray_exact::{Ground, Polarisation, TwoRayExact};
 
 use glam::DVec3;
 use simbeeotic_kernel::SimTime;
-use simbeeotic_units::{Decibels, Frequency, Position};
+use simbeeotic_units::constants::SPEED_OF_LIGHT;
+use simbeeotic_units::{Decibels, Frequency, Length, Position};
 use std::fmt;
 
 /// One end of a link.
@@ -97,6 +106,14 @@ impl Links<'_> {
         self.len() == 0
     }
 
+    /// The square of the distance of link `j` in `f64`, m², from the places: for models that see phases.
+    #[inline(always)]
+    fn square_m2(&self, j: usize) -> f64 {
+        let axis = |i: usize| f64::from(self.far_enu_m[i][j]) - f64::from(self.near_enu_m[i]);
+        let (x, y, z) = (axis(0), axis(1), axis(2));
+        x * x + y * y + z * z
+    }
+
     /// Link `j` by itself. Panics unless `j < len()`.
     #[must_use]
     pub fn link(&self, j: usize) -> Link {
@@ -140,3 +157,30 @@ pub trait Propagation: Send + Sync + fmt::Debug {
         }
     }
 }
+
+/// No more than this is ever lost by a model of the path, in decibels: a null is deep, and not infinite.
+pub const LOSS_DB_MAX: f64 = 300.0;
+
+/// A loss as it may be: from 0 to [`LOSS_DB_MAX`].
+fn least_loss(loss: Decibels) -> Decibels {
+    loss.max(Decibels::ZERO).min(Decibels::from_db(LOSS_DB_MAX))
+}
+
+/// The same for a gain.
+#[inline(always)]
+fn held_gain(gain: f64) -> f64 {
+    let low = if gain < 1.0 { gain } else { 1.0 };
+    if low > GAIN_MIN { low } else { GAIN_MIN }
+}
+
+/// [`LOSS_DB_MAX`] as a gain.
+const GAIN_MIN: f64 = 1e-30;
+
+/// The wavelength over the circle's `4 pi`, metres: where free space begins to lose.
+fn reference_m(frequency: Frequency) -> f64 {
+    (SPEED_OF_LIGHT / frequency).metres() / (4.0 * std::f64::consts::PI)
+}
+
+/// Antennas on the ground or below it are taken to be so high: a ray that runs along the ground meets
+/// its own reflection and ends.
+pub const HEIGHT_MIN: Length = Length::si(0.01);

@@ -3,5 +3,6 @@
 mod agreement;
 mod antennas;
 mod behaviour;
+mod path_loss;
 mod reference;
 mod support;

@@ -29,6 +29,8 @@ const CHANNEL_DEFAULTS: [(&str, &str); 3] = [
     ("noise_floor.sigma", "10 dB"),
     ("range_limit", "10 m"),
 ];
+/// The form of the original's two-ray model, which is not the usual one: part, key and value.
+const TWO_RAY_FORM: (&str, &str, &str) = ("two-ray", "form", "original");
 /// How far a random start reached unless told otherwise, in metres.
 const RANDOM_START_BOUND_M: f64 = 10.0;
 
@@ -290,6 +292,11 @@ impl Scenario {
                     let node = Node::string(found.span, default);
                     put(&mut settings.params, path, found.span, node);
                 }
+            }
+            let (part, key, value) = TWO_RAY_FORM;
+            if found.part.label.name == part && found.class.is_some() {
+                let node = Node::string(found.span, value);
+                put(&mut settings.params, key, found.span, node);
             }
         }
         table.entries.append(&mut settings.params.entries);

@@ -60,3 +60,11 @@ linear_quantity! {
         "mohm": Scale::over(1e3) => from_milliohms, milliohms;
     }
 }
+
+linear_quantity! {
+    /// An electric conductivity, inside in siemens per metre: of a ground, of water.
+    Conductivity = "a conductivity" {
+        "S/m": Scale::ONE => from_siemens_per_metre, siemens_per_metre;
+        "mS/m": Scale::over(1e3);
+    }
+}

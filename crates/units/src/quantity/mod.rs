@@ -44,7 +44,7 @@ mod signal;
 pub use air::{Density, Pressure, Temperature};
 pub use ambient::{Circulation, Concentration, Illuminance, LuminousIntensity, MassRate, RainRate};
 pub use decibels::{Decibels, PowerLevel};
-pub use electricity::{Charge, Current, Energy, Power, Resistance, Voltage};
+pub use electricity::{Charge, Conductivity, Current, Energy, Power, Resistance, Voltage};
 pub use kind::{Quantity, Scale, Unit, VectorQuantity};
 pub use magnetism::MagneticField;
 pub use mechanics::{

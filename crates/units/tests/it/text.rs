@@ -72,7 +72,7 @@ macro_rules! each_quantity {
 }
 
 each_quantity! {
-    Acceleration Angle AngularRate Area Charge Current DataRate Decibels Density Energy Force
+    Acceleration Angle AngularRate Area Charge Conductivity Current DataRate Decibels Density Energy Force
     Circulation Concentration Illuminance LuminousIntensity MassRate RainRate
     Frequency Impulse Length Mass Power PowerLevel Pressure Resistance Speed Temperature Time Torque Voltage
 }
