@@ -76,6 +76,8 @@ pub struct Counters {
     pub received: u64,
     /// Frames received that were addressed to somebody else.
     pub overheard: u64,
+    /// Frames received once more, since their acknowledgement was lost; not handed to the owner again.
+    pub repeated: u64,
     lost: [u64; Loss::ALL.len()],
 }
 
@@ -114,6 +116,7 @@ impl AddAssign for Counters {
         self.sent += other.sent;
         self.received += other.received;
         self.overheard += other.overheard;
+        self.repeated += other.repeated;
         for (mine, theirs) in self.lost.iter_mut().zip(other.lost) {
             *mine += theirs;
         }

@@ -2,9 +2,10 @@
 
 use crate::error_model::ErrorModel;
 use crate::frame::{Frame, Outcome};
+use crate::phy::LinkQuality;
 use crate::radio::RadioId;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Decibels, PowerLevel};
+use simbeeotic_units::{Decibels, PowerLevel, math};
 use std::fmt;
 use std::sync::Arc;
 
@@ -28,6 +29,23 @@ pub struct Inbox<'a> {
     pub(crate) frames: &'a [Frame],
     pub(crate) outcomes: &'a [Outcome],
     pub(crate) receiver: Receiver<'a>,
+    pub(crate) qualities: Qualities<'a>,
+}
+
+/// What a medium with interference knows of a reception besides.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Quality {
+    /// Logarithm of the chance that the frame came through.
+    pub(crate) ln_success: f32,
+    /// Mean linear ratio of signal to noise plus interference.
+    pub(crate) sinr: f32,
+}
+
+/// The qualities of all packets of an inbox, in their order; none where the medium has none.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Qualities<'a> {
+    pub(crate) list: &'a [Quality],
+    pub(crate) meaning: LinkQuality,
 }
 
 /// What the numbers of a packet are measured against.
@@ -58,6 +76,8 @@ impl<'a> Inbox<'a> {
             frames: self.frames,
             time: self.time,
             receiver: self.receiver,
+            qualities: self.qualities.list.iter(),
+            meaning: self.qualities.meaning,
         }
     }
 
@@ -147,6 +167,8 @@ pub struct Packets<'a> {
     frames: &'a [Frame],
     time: SimTime,
     receiver: Receiver<'a>,
+    qualities: std::slice::Iter<'a, Quality>,
+    meaning: LinkQuality,
 }
 
 impl<'a> Iterator for Packets<'a> {
@@ -160,6 +182,7 @@ impl<'a> Iterator for Packets<'a> {
             power_mw: hit.power_mw,
             time: self.time,
             receiver: self.receiver,
+            quality: self.qualities.next().map(|q| (*q, self.meaning)),
         })
     }
 
@@ -177,6 +200,7 @@ pub struct Packet<'a> {
     power_mw: f32,
     time: SimTime,
     receiver: Receiver<'a>,
+    quality: Option<(Quality, LinkQuality)>,
 }
 
 impl<'a> Packet<'a> {
@@ -216,19 +240,28 @@ impl<'a> Packet<'a> {
         PowerLevel::from_milliwatts(f64::from(self.power_mw))
     }
 
-    /// Signal over noise: [`rssi`](Self::rssi) above the mean noise level of the radio.
+    /// Signal over noise: [`rssi`](Self::rssi) above the mean noise level of the radio; in a medium with
+    /// interference, above noise and the mean interference during the frame.
     ///
     /// Where noise is drawn for each packet (the simple medium with a noise sigma), this is still
     /// the ratio to its mean: the draw is folded into the chance of reception.
     #[must_use]
     pub fn snr(&self) -> Decibels {
-        self.rssi() - self.receiver.noise
+        match self.quality {
+            Some((quality, _)) => Decibels::from_ratio(f64::from(quality.sinr)),
+            None => self.rssi() - self.receiver.noise,
+        }
     }
 
     /// Link quality, 0 to 255: the chance that a frame of this length survives at [`snr`](Self::snr),
-    /// by the radio's own error model, times 255. ns-3 defines it so.
+    /// by the radio's own error model, times 255. ns-3 defines it so. In a medium with interference,
+    /// what the radio says ([`LinkQuality`]).
     #[must_use]
     pub fn lqi(&self) -> u8 {
+        if let Some((quality, meaning)) = self.quality {
+            let success = math::exp(f64::from(quality.ln_success));
+            return meaning.of(success, quality.sinr.into());
+        }
         let success = self
             .receiver
             .error

@@ -176,7 +176,6 @@ impl Ledger {
         self.account(currents, [sleep, idle, 0, rx, tx])
     }
 
-    #[allow(dead_code, reason = "the medium that uses it is to come")]
     /// The same for a radio whose receiver runs whenever it is awake and does not send, where
     /// `rx_ns` of this time went into frames.
     pub(crate) fn usage_listening(&self, currents: &Currents, until: SimTime, rx_ns: u64) -> Usage {

@@ -8,7 +8,7 @@ use super::success::{Curve, Noise};
 use crate::channel::Channel;
 use crate::counters::{Counters, Loss};
 use crate::frame::{Frame, Outcome, Request};
-use crate::inbox::Inbox;
+use crate::inbox::{Inbox, Qualities};
 use crate::ledger::Usage;
 use crate::medium::{Command, Medium, Poses};
 use crate::propagation::Propagation;
@@ -475,6 +475,7 @@ impl Medium for SimpleMedium {
             frames: &band.air.frames,
             outcomes: self.outcomes(id),
             receiver: self.curves[band.members.curves[radio.row as usize] as usize].receiver(),
+            qualities: Qualities::default(),
         }
     }
 
