@@ -1,10 +1,8 @@
 //! Packets with air time, medium access and interference.
 
-use simbeeotic_model::radio::{
-    Arithmetic as Way, Ieee802154Config, Ieee802154Medium, Medium, Phy,
-};
+use simbeeotic_model::radio::{Arithmetic as Way, Ieee802154Config, Ieee802154Medium, Medium, Phy};
+use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{Air, BuildError, Fidelity, choice, medium, params};
-use simbeeotic_units::Decibels;
 use std::sync::Arc;
 
 /// IEEE 802.15.4 without slots, and its kin: packets take their air time, radios assess the channel
@@ -83,9 +81,10 @@ impl Fidelity for Ieee802154 {
         };
         if let Some(noise) = air.noise_floor {
             if noise.sigma != Decibels::ZERO {
-                return Err(BuildError::other(
+                return Err(BuildError::Other(
                     "this medium knows no noise drawn for each packet: set `noise_floor` with a \
-                     `sigma` of \"0 dB\", or leave it out for each radio's own noise",
+                     `sigma` of \"0 dB\", or leave it out for each radio's own noise"
+                        .to_owned(),
                 ));
             }
             config.noise = Some(noise.mean);

@@ -3,6 +3,7 @@
 mod agreement;
 mod antennas;
 mod behaviour;
+mod ieee802154;
 mod path_loss;
 mod reference;
 mod support;
