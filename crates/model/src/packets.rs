@@ -10,12 +10,17 @@ use simbeeotic_radio::{Channel, Counters, Frame, Inbox, Medium, RadioId, RadioSt
 use simbeeotic_units::{Decibels, Position, PowerLevel};
 use std::collections::BTreeMap;
 
+/// Who could listen is noted for at most this many watched radios: for more it would be more than all
+/// else.
+pub const LINKED_RADIOS_MAX: usize = 256;
+
 /// Frames that began at one instant, and who could listen to them.
 #[derive(Clone, Debug)]
 pub struct OnAir {
     /// The frames, those of watched radios only.
     pub frames: Vec<Transmission>,
-    /// All watched radios that are awake, by id: where they are, and what they are tuned to.
+    /// All watched radios that are awake, by id: where they are, and what they are tuned to. Empty if
+    /// more than [`LINKED_RADIOS_MAX`] are watched.
     pub listeners: Vec<Listener>,
 }
 
@@ -126,7 +131,8 @@ impl PacketWatch {
         if frames.is_empty() {
             return None;
         }
-        let awake = self.radios.iter().copied();
+        let few = self.radios.len() <= LINKED_RADIOS_MAX;
+        let awake = self.radios.iter().copied().filter(|_| few);
         let awake = awake.filter(|radio| medium.state(*radio, now) != RadioState::Sleep);
         let listeners = awake.map(|radio| {
             let spec = medium.spec(radio);

@@ -3,10 +3,11 @@
 use crate::data::{
     Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample, Vehicle,
 };
+use crate::radio::{self, Air};
 use crate::recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 use crate::selection::selects;
 use simbeeotic_model::check::positive;
-use simbeeotic_model::kernel::ModelId;
+use simbeeotic_model::kernel::{ModelId, SimTime};
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
     BuildError, Component, ComponentError, FromParams, Image, Mark, Note, Pixels, Summary, Taken,
@@ -28,6 +29,15 @@ pub struct RecorderComponent {
     recorder: Option<Recorder>,
     /// Sensors that have read nothing yet.
     silent: BTreeSet<String>,
+    /// `None`: there are no radios.
+    air: Option<Air>,
+    clocks: Clocks,
+}
+
+/// When the recorder looks at what.
+struct Clocks {
+    period_ns: u64,
+    radio_period_ns: u64,
 }
 
 /// Parameters of [`RecorderComponent`].
@@ -48,6 +58,18 @@ pub struct RecorderParams {
     /// such as `"bee-0/*"`, `"*/camera"`, `"*"` for all. None unless said. A reading of three numbers
     /// takes about 40 bytes.
     pub readings: Vec<String>,
+    /// Virtual time between two records of how many frames were sent, received and lost, and of how
+    /// well radios heard each other.
+    pub radio_period: Time,
+    /// Radios whose counters are recorded besides those of all together: patterns for their paths, such
+    /// as `"bee-0/*"`.
+    pub radios: Vec<String>,
+    /// Radios whose packets are recorded, and the links among them: patterns for their paths, `["*"]`
+    /// for all, `[]` for none. Unless said: all if there are at most 256 radios, else none. A packet
+    /// takes about 80 bytes, and 20 more for each radio that received it. Links are recorded for at most
+    /// 256 radios.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub packets: Option<Vec<String>>,
 }
 
 impl Default for RecorderParams {
@@ -59,6 +81,9 @@ impl Default for RecorderParams {
             precision: PrecisionChoice::Fine,
             events: true,
             readings: Vec::new(),
+            radio_period: Time::from_secs(1.0),
+            radios: Vec::new(),
+            packets: None,
         }
     }
 }
@@ -76,7 +101,10 @@ impl FromParams for RecorderComponent {
     type Params = RecorderParams;
 
     fn from_params(params: RecorderParams) -> Result<Self, BuildError> {
-        positive("period", params.period)?;
+        let clocks = Clocks {
+            period_ns: nanos("period", params.period)?,
+            radio_period_ns: nanos("radio_period", params.radio_period)?,
+        };
         if params.path.as_os_str().is_empty() {
             return Err(BuildError::parameter("path", "must name a file"));
         }
@@ -85,6 +113,8 @@ impl FromParams for RecorderComponent {
             bodies: Vec::new(),
             recorder: None,
             silent: BTreeSet::new(),
+            air: None,
+            clocks,
         })
     }
 }
@@ -101,9 +131,25 @@ impl Component for RecorderComponent {
             .any(|pattern| selects(pattern, sensor))
     }
 
+    fn wants_packets(&self, radio: &str, among: usize) -> bool {
+        radio::wants(self.params.packets.as_deref(), radio, among)
+    }
+
+    /// Both clocks tick at whole multiples of their periods.
+    fn next_observation(&self, now: SimTime) -> Option<SimTime> {
+        let after = |period_ns: u64| {
+            let ticks = now.nanos() / period_ns + 1;
+            ticks.checked_mul(period_ns).map(SimTime::from_nanos)
+        };
+        let radio = self.air.as_ref();
+        let radio = radio.and_then(|_| after(self.clocks.radio_period_ns));
+        after(self.clocks.period_ns).into_iter().chain(radio).min()
+    }
+
     fn start(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
         self.bodies = view.bodies().collect();
         self.check_patterns(view)?;
+        self.air = Air::start(view, self.params.packets.as_deref(), &self.params.radios)?;
         let origin = view.origin();
         let vehicle = |id: &ModelId| {
             let member = view.population().get(*id);
@@ -139,11 +185,19 @@ impl Component for RecorderComponent {
             return Ok(());
         };
         record_marks(recorder, view, &self.params, &mut self.silent).map_err(failed)?;
+        let now_ns = view.now().nanos();
+        if let Some(air) = &mut self.air {
+            let whole = now_ns.is_multiple_of(self.clocks.radio_period_ns);
+            record_air(recorder, view, air, whole, false).map_err(failed)?;
+        }
+        if !now_ns.is_multiple_of(self.clocks.period_ns) {
+            return Ok(());
+        }
         if self.params.events {
             record_batteries(recorder, view, &self.bodies).map_err(failed)?;
         }
         let samples = self.bodies.iter().map(|id| sample(view, *id));
-        recorder.tick(view.now().nanos(), samples).map_err(failed)
+        recorder.tick(now_ns, samples).map_err(failed)
     }
 
     fn finish(&mut self, view: &View<'_>, summary: &Summary) -> Result<Vec<Note>, ComponentError> {
@@ -151,6 +205,9 @@ impl Component for RecorderComponent {
             return Ok(Vec::new());
         };
         record_marks(&mut recorder, view, &self.params, &mut self.silent).map_err(failed)?;
+        if let Some(air) = &mut self.air {
+            record_air(&mut recorder, view, air, true, true).map_err(failed)?;
+        }
         let summary = serde_json::to_value(summary).unwrap_or_default();
         let stats = recorder.finish(&summary).map_err(failed)?;
         let mut notes = vec![Note {
@@ -158,6 +215,12 @@ impl Component for RecorderComponent {
             text: describe(&self.params.path, &stats),
         }];
         notes.extend(unread(&self.silent));
+        let said = self.params.packets.is_some();
+        let air = self.air.iter().flat_map(|air| air.notes(said));
+        notes.extend(air.map(|text| Note {
+            key: "radio".to_owned(),
+            text,
+        }));
         Ok(notes)
     }
 }
@@ -196,6 +259,40 @@ impl RecorderComponent {
             }
         }
     }
+}
+
+/// A period in whole nanoseconds, one at least.
+fn nanos(parameter: &'static str, period: Time) -> Result<u64, BuildError> {
+    positive(parameter, period)?;
+    match SimTime::from_time(period).map(SimTime::nanos) {
+        Ok(nanos) if nanos > 0 => Ok(nanos),
+        _ => Err(BuildError::parameter(
+            parameter,
+            "must be a nanosecond or more, and less than 584 years",
+        )),
+    }
+}
+
+/// Frames and receptions since the last time; at the end of a period its counters and links.
+fn record_air(
+    recorder: &mut Recorder,
+    view: &View<'_>,
+    air: &mut Air,
+    period: bool,
+    end: bool,
+) -> Result<(), RecordError> {
+    for mark in view.marks() {
+        match mark {
+            Mark::OnAir { air: begun, .. } => air.begun(view, begun),
+            Mark::Heard { time, receptions } => air.heard(time.nanos(), receptions),
+            _ => {}
+        }
+    }
+    air.write_packets(recorder, view.now().nanos(), end)?;
+    if period {
+        air.write_period(recorder, view)?;
+    }
+    Ok(())
 }
 
 fn failed(error: RecordError) -> ComponentError {

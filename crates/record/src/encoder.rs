@@ -1,5 +1,6 @@
 //! Turns what is recorded into MCAP records.
 
+use crate::air::{Links, Packet, Traffic};
 use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::message::{self, Timestamp};
 use crate::recorder::{Header, Precision};
@@ -198,6 +199,20 @@ impl Encoder {
             unpaired: reading.unpaired,
         };
         self.message(Topic::Readings, time_ns, &message)
+    }
+
+    pub(crate) fn packet(&mut self, mut packet: Packet) -> McapResult<()> {
+        let precision = self.precision;
+        packet.position_m = packet.position_m.map(|p| precision.position(p));
+        self.message(Topic::Packets, packet.time_ns, &packet.pack())
+    }
+
+    pub(crate) fn traffic(&mut self, traffic: Traffic) -> McapResult<()> {
+        self.message(Topic::Radio, traffic.time_ns, &traffic.pack())
+    }
+
+    pub(crate) fn links(&mut self, links: Links) -> McapResult<()> {
+        self.message(Topic::Links, links.time_ns, &links.pack())
     }
 
     pub(crate) fn picture(&mut self, picture: &Picture) -> McapResult<()> {

@@ -18,10 +18,12 @@
 //! recorded. CSV holds the shortest decimals that give these numbers back; a number that is not one
 //! is `NaN` or `inf`.
 
+mod air;
 mod csv;
 mod parquet;
 mod readings;
 
+pub use air::{AirTable, export_air, export_air_file};
 pub use csv::{export_csv, export_csv_file};
 pub use parquet::export_parquet;
 pub use readings::{export_readings, export_readings_file};
@@ -71,7 +73,7 @@ pub enum ExportError {
         /// What is wrong.
         what: String,
     },
-    /// There are no readings at the selected times; nothing was written.
+    /// There is nothing of the kind at the selected times; nothing was written.
     #[error("{0}")]
     NoReadings(String),
     /// A pattern of the [`Selection`] matches no model.

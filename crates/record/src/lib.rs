@@ -16,6 +16,9 @@
 //! | `/events` | `simbeeotic.Event` | contacts and other marks |
 //! | `/metrics` | `simbeeotic.Metrics` | numbers that models publish |
 //! | `/readings` | `simbeeotic.Reading` | what sensors read, and the truth beside it |
+//! | `/packets` | `simbeeotic.Packet` | a transmission, and who received it |
+//! | `/radio` | `simbeeotic.Radio` | how many frames were sent, received and lost in a period |
+//! | `/links` | `simbeeotic.Links` | how well each radio heard each other in a period |
 //! | `/images/PATH` | [`foxglove.RawImage`](https://docs.foxglove.dev/docs/visualization/message-schemas/raw-image) | what the camera at this path saw |
 //!
 //! ```text
@@ -67,6 +70,7 @@
 pub mod component;
 pub mod export;
 
+mod air;
 mod chunk;
 mod data;
 mod encoder;
@@ -76,6 +80,7 @@ mod message;
 mod messages;
 mod picture;
 mod publish;
+mod radio;
 mod recorder;
 mod recording;
 mod schema;
@@ -87,12 +92,13 @@ mod ticks;
 mod topic;
 mod writer;
 
+pub use air::{Link, Links, Packet, Received, Tallies, Traffic};
 pub use data::{
     Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample, Tick, Vehicle,
 };
 pub use export::{
-    ExportError, Exported, export_csv, export_csv_file, export_parquet, export_readings,
-    export_readings_file,
+    AirTable, ExportError, Exported, export_air, export_air_file, export_csv, export_csv_file,
+    export_parquet, export_readings, export_readings_file,
 };
 pub use publish::publish;
 pub use recorder::{Header, Precision, RecordError, RecordStats, Recorder};

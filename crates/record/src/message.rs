@@ -154,6 +154,95 @@ pub(crate) struct Reading {
     pub(crate) unpaired: bool,
 }
 
+/// `simbeeotic.Packet`: one transmission; the last five lists are equally long.
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct Packet {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(string, tag = "2")]
+    pub(crate) sender: String,
+    #[prost(string, tag = "3")]
+    pub(crate) radio: String,
+    #[prost(int32, tag = "4")]
+    pub(crate) channel: i32,
+    #[prost(double, tag = "5")]
+    pub(crate) frequency_hz: f64,
+    #[prost(string, tag = "6")]
+    pub(crate) destination: String,
+    #[prost(int32, tag = "7")]
+    pub(crate) bytes: i32,
+    #[prost(int32, tag = "8")]
+    pub(crate) payload_bytes: i32,
+    #[prost(int64, tag = "9")]
+    pub(crate) airtime_ns: i64,
+    #[prost(double, tag = "10")]
+    pub(crate) power_dbm: f64,
+    #[prost(message, optional, tag = "11")]
+    pub(crate) position: Option<Vector3>,
+    #[prost(string, repeated, tag = "12")]
+    pub(crate) receivers: Vec<String>,
+    #[prost(float, repeated, tag = "13")]
+    pub(crate) rssi_dbm: Vec<f32>,
+    #[prost(float, repeated, tag = "14")]
+    pub(crate) snr_db: Vec<f32>,
+    #[prost(int32, repeated, tag = "15")]
+    pub(crate) lqi: Vec<i32>,
+    #[prost(int64, repeated, tag = "16")]
+    pub(crate) delay_ns: Vec<i64>,
+}
+
+/// `simbeeotic.Radio`: `lost` and `lost_total` are as long as `reasons`.
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct Radio {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(double, tag = "2")]
+    pub(crate) period_s: f64,
+    #[prost(string, tag = "3")]
+    pub(crate) radio: String,
+    #[prost(int64, tag = "4")]
+    pub(crate) sent: i64,
+    #[prost(int64, tag = "5")]
+    pub(crate) received: i64,
+    #[prost(int64, tag = "6")]
+    pub(crate) overheard: i64,
+    #[prost(string, repeated, tag = "7")]
+    pub(crate) reasons: Vec<String>,
+    #[prost(int64, repeated, tag = "8")]
+    pub(crate) lost: Vec<i64>,
+    #[prost(int64, tag = "9")]
+    pub(crate) sent_total: i64,
+    #[prost(int64, tag = "10")]
+    pub(crate) received_total: i64,
+    #[prost(int64, tag = "11")]
+    pub(crate) overheard_total: i64,
+    #[prost(int64, repeated, tag = "12")]
+    pub(crate) lost_total: Vec<i64>,
+}
+
+/// `simbeeotic.Links`: the lists behind `radios` are equally long.
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct Links {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(double, tag = "2")]
+    pub(crate) period_s: f64,
+    #[prost(string, repeated, tag = "3")]
+    pub(crate) radios: Vec<String>,
+    #[prost(int32, repeated, tag = "4")]
+    pub(crate) from: Vec<i32>,
+    #[prost(int32, repeated, tag = "5")]
+    pub(crate) to: Vec<i32>,
+    #[prost(int32, repeated, tag = "6")]
+    pub(crate) sent: Vec<i32>,
+    #[prost(int32, repeated, tag = "7")]
+    pub(crate) received: Vec<i32>,
+    #[prost(float, repeated, tag = "8")]
+    pub(crate) rssi_dbm: Vec<f32>,
+    #[prost(float, repeated, tag = "9")]
+    pub(crate) distance_m: Vec<f32>,
+}
+
 /// `foxglove.RawImage`
 #[derive(Clone, PartialEq, Message)]
 pub(crate) struct RawImage {

@@ -1,5 +1,6 @@
 //! Writing a recording while a run goes on.
 
+use crate::air::{Links, Packet, Traffic};
 use crate::data::{Attachment, Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
@@ -322,6 +323,30 @@ impl Recorder {
     /// When writing has failed, for example because there are more than 65,000 such paths.
     pub fn picture(&mut self, picture: Picture) -> Result<(), RecordError> {
         self.send(Job::Picture(picture))
+    }
+
+    /// Records a transmission and its receptions.
+    ///
+    /// # Errors
+    /// When writing has failed.
+    pub fn packet(&mut self, packet: Packet) -> Result<(), RecordError> {
+        self.send(Job::Packet(Box::new(packet)))
+    }
+
+    /// Records how many frames were sent, received and lost.
+    ///
+    /// # Errors
+    /// When writing has failed.
+    pub fn traffic(&mut self, traffic: Traffic) -> Result<(), RecordError> {
+        self.send(Job::Traffic(Box::new(traffic)))
+    }
+
+    /// Records how well radios heard each other.
+    ///
+    /// # Errors
+    /// When writing has failed.
+    pub fn links(&mut self, links: Links) -> Result<(), RecordError> {
+        self.send(Job::Links(links))
     }
 
     /// What the recording has cost so far.

@@ -292,6 +292,73 @@ pub(crate) static READING: Type = Type {
     enums: &[],
 };
 
+pub(crate) static PACKET: Type = Type {
+    package: "simbeeotic",
+    name: "Packet",
+    file: "simbeeotic/Packet.proto",
+    imports: &[&TIMESTAMP, &VECTOR3],
+    fields: &[
+        one("timestamp", 1, TIME),
+        one("sender", 2, Kind::Text),
+        one("radio", 3, Kind::Text),
+        one("channel", 4, Kind::Int32),
+        one("frequency_hz", 5, Kind::Double),
+        one("destination", 6, Kind::Text),
+        one("bytes", 7, Kind::Int32),
+        one("payload_bytes", 8, Kind::Int32),
+        one("airtime_ns", 9, Kind::Int64),
+        one("power_dbm", 10, Kind::Double),
+        one("position", 11, Kind::Message(".foxglove.Vector3")),
+        many("receivers", 12, Kind::Text),
+        many("rssi_dbm", 13, Kind::Float),
+        many("snr_db", 14, Kind::Float),
+        many("lqi", 15, Kind::Int32),
+        many("delay_ns", 16, Kind::Int64),
+    ],
+    enums: &[],
+};
+
+pub(crate) static RADIO: Type = Type {
+    package: "simbeeotic",
+    name: "Radio",
+    file: "simbeeotic/Radio.proto",
+    imports: &[&TIMESTAMP],
+    fields: &[
+        one("timestamp", 1, TIME),
+        one("period_s", 2, Kind::Double),
+        one("radio", 3, Kind::Text),
+        one("sent", 4, Kind::Int64),
+        one("received", 5, Kind::Int64),
+        one("overheard", 6, Kind::Int64),
+        many("reasons", 7, Kind::Text),
+        many("lost", 8, Kind::Int64),
+        one("sent_total", 9, Kind::Int64),
+        one("received_total", 10, Kind::Int64),
+        one("overheard_total", 11, Kind::Int64),
+        many("lost_total", 12, Kind::Int64),
+    ],
+    enums: &[],
+};
+
+pub(crate) static LINKS: Type = Type {
+    package: "simbeeotic",
+    name: "Links",
+    file: "simbeeotic/Links.proto",
+    imports: &[&TIMESTAMP],
+    fields: &[
+        one("timestamp", 1, TIME),
+        one("period_s", 2, Kind::Double),
+        many("radios", 3, Kind::Text),
+        many("from", 4, Kind::Int32),
+        many("to", 5, Kind::Int32),
+        many("sent", 6, Kind::Int32),
+        many("received", 7, Kind::Int32),
+        many("rssi_dbm", 8, Kind::Float),
+        many("distance_m", 9, Kind::Float),
+    ],
+    enums: &[],
+};
+
 pub(crate) static RAW_IMAGE: Type = Type {
     package: "foxglove",
     name: "RawImage",
@@ -488,6 +555,49 @@ mod tests {
             lost: true,
             unpaired: true,
         };
+        let packet = message::Packet {
+            timestamp,
+            sender: text(),
+            radio: text(),
+            channel: 11,
+            frequency_hz: 1.0,
+            destination: text(),
+            bytes: 1,
+            payload_bytes: 1,
+            airtime_ns: 1,
+            power_dbm: 1.0,
+            position: Some(position),
+            receivers: vec![text()],
+            rssi_dbm: vec![1.0],
+            snr_db: vec![1.0],
+            lqi: vec![1],
+            delay_ns: vec![1],
+        };
+        let radio = message::Radio {
+            timestamp,
+            period_s: 1.0,
+            radio: text(),
+            sent: 1,
+            received: 1,
+            overheard: 1,
+            reasons: vec![text()],
+            lost: vec![1],
+            sent_total: 1,
+            received_total: 1,
+            overheard_total: 1,
+            lost_total: vec![1],
+        };
+        let links = message::Links {
+            timestamp,
+            period_s: 1.0,
+            radios: vec![text()],
+            from: vec![1],
+            to: vec![1],
+            sent: vec![1],
+            received: vec![1],
+            rssi_dbm: vec![1.0],
+            distance_m: vec![1.0],
+        };
         let image = message::RawImage {
             timestamp,
             width: 1,
@@ -510,6 +620,9 @@ mod tests {
             (&EVENT, event.encode_to_vec()),
             (&METRICS, metrics.encode_to_vec()),
             (&READING, reading.encode_to_vec()),
+            (&PACKET, packet.encode_to_vec()),
+            (&RADIO, radio.encode_to_vec()),
+            (&LINKS, links.encode_to_vec()),
             (&RAW_IMAGE, image.encode_to_vec()),
         ] {
             assert_eq!(keys(&bytes), declared(ty), "{}", ty.full_name());

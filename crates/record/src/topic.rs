@@ -12,12 +12,15 @@ pub(crate) enum Topic {
     Events,
     Metrics,
     Readings,
+    Packets,
+    Radio,
+    Links,
     /// One channel for each sensor that takes pictures, made when it takes the first.
     Images,
 }
 
 impl Topic {
-    pub(crate) const ALL: [Topic; 8] = [
+    pub(crate) const ALL: [Topic; 11] = [
         Topic::Vehicles,
         Topic::Poses,
         Topic::Twists,
@@ -25,6 +28,9 @@ impl Topic {
         Topic::Events,
         Topic::Metrics,
         Topic::Readings,
+        Topic::Packets,
+        Topic::Radio,
+        Topic::Links,
         Topic::Images,
     ];
 
@@ -37,6 +43,9 @@ impl Topic {
             Topic::Events => "/events",
             Topic::Metrics => "/metrics",
             Topic::Readings => "/readings",
+            Topic::Packets => "/packets",
+            Topic::Radio => "/radio",
+            Topic::Links => "/links",
             Topic::Images => "/images",
         }
     }
@@ -58,6 +67,9 @@ impl Topic {
             Topic::Events => &schema::EVENT,
             Topic::Metrics => &schema::METRICS,
             Topic::Readings => &schema::READING,
+            Topic::Packets => &schema::PACKET,
+            Topic::Radio => &schema::RADIO,
+            Topic::Links => &schema::LINKS,
             Topic::Images => &schema::RAW_IMAGE,
         }
     }

@@ -1,5 +1,6 @@
 //! The thread that writes: encodes, compresses and saves while the run goes on.
 
+use crate::air::{Links, Packet, Traffic};
 use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
@@ -16,6 +17,9 @@ pub(crate) enum Job {
     Metrics(Metrics),
     Reading(Reading),
     Picture(Picture),
+    Packet(Box<Packet>),
+    Traffic(Box<Traffic>),
+    Links(Links),
     Finish(Option<String>),
 }
 
@@ -61,6 +65,9 @@ fn write(encoder: &mut Encoder, job: Job, spare: &Sender<Vec<Sample>>) -> McapRe
         Job::Metrics(metrics) => encoder.metrics(metrics),
         Job::Reading(reading) => encoder.reading(reading),
         Job::Picture(picture) => encoder.picture(&picture),
+        Job::Packet(packet) => encoder.packet(*packet),
+        Job::Traffic(traffic) => encoder.traffic(*traffic),
+        Job::Links(links) => encoder.links(links),
         Job::Finish(_) => Ok(()),
     }
 }

@@ -214,7 +214,7 @@ pub(super) struct ExportOptions {
         value_name = "FILE",
         num_args = 0..=1,
         default_missing_value = "-",
-        required_unless_present_any = ["parquet", "readings", "images"]
+        required_unless_present_any = ["parquet", "readings", "images", "packets", "links", "radio"]
     )]
     pub(super) csv: Option<PathBuf>,
     /// Write what sensors read, and the truth beside it, as CSV to this file or to standard output
@@ -235,13 +235,42 @@ pub(super) struct ExportOptions {
         conflicts_with = "csv"
     )]
     pub(super) parquet: Option<PathBuf>,
+    /// Write each packet and who received it to this file: CSV, or Parquet if it ends in .parquet
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = "-",
+        conflicts_with_all = ["csv", "parquet", "readings", "images"]
+    )]
+    pub(super) packets: Option<PathBuf>,
+    /// Write how well each radio heard each other, period by period, in the same ways
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = "-",
+        conflicts_with_all = ["csv", "parquet", "readings", "images", "packets"]
+    )]
+    pub(super) links: Option<PathBuf>,
+    /// Write how many frames were sent, received and lost, period by period, in the same ways
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        default_missing_value = "-",
+        conflicts_with_all = ["csv", "parquet", "readings", "images", "packets", "links"]
+    )]
+    pub(super) radio: Option<PathBuf>,
     /// Write the pictures that cameras took to this folder, as PNG: bee-1/eye/depth-000000250000us.png
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["csv", "parquet", "readings"])]
     pub(super) images: Option<PathBuf>,
-    /// Only models (of readings: sensors) whose path matches: bee-*, hive/bee-1, */imu
+    /// Only models (of readings: sensors; of packets and links: sending radios) whose path matches:
+    /// bee-*, hive/bee-1, */imu
     #[arg(long, value_name = "PATTERN")]
     pub(super) model: Option<String>,
-    /// Only every n-th tick (of readings: of each sensor's)
+    /// Only every n-th tick (of readings: of each sensor's; of packets: every n-th; of links and radio:
+    /// every n-th period)
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(super) every: u64,
     /// Only ticks from this time on: "10 s"

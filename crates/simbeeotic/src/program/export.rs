@@ -4,8 +4,8 @@ use super::arguments::{BESIDE, ExportOptions};
 use super::{Failure, input, remark, same_file, show};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{
-    ExportError, Exported, Recording, Selection, export_csv, export_csv_file, export_parquet,
-    export_readings, export_readings_file,
+    AirTable, ExportError, Exported, Recording, Selection, export_air, export_air_file, export_csv,
+    export_csv_file, export_parquet, export_readings, export_readings_file,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufWriter, ErrorKind, Write, stdout};
@@ -25,6 +25,9 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     let selection = selection(options)?;
     if let Some(folder) = &options.images {
         return images(&recording, &selection, folder);
+    }
+    if let Some((table, path)) = air(options) {
+        return export_table(options, path, &recording, &selection, table);
     }
     type ToFile = fn(&Recording, &Selection, &Path) -> Result<Exported, ExportError>;
     let to_file: ToFile = match (&options.readings, &options.csv) {
@@ -60,6 +63,42 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     keep_recording(options, &target)?;
     let exported = to_file(&recording, &selection, &target).map_err(failed)?;
     report(&exported, &target);
+    Ok(())
+}
+
+/// Which table of the air is wanted, and where.
+fn air(options: &ExportOptions) -> Option<(AirTable, &Path)> {
+    [
+        (AirTable::Packets, &options.packets),
+        (AirTable::Links, &options.links),
+        (AirTable::Radio, &options.radio),
+    ]
+    .into_iter()
+    .find_map(|(table, path)| Some((table, path.as_deref()?)))
+}
+
+fn export_table(
+    options: &ExportOptions,
+    path: &Path,
+    recording: &Recording,
+    selection: &Selection,
+    table: AirTable,
+) -> Result<(), Failure> {
+    if path == Path::new("-") {
+        let mut out = BufWriter::new(stdout().lock());
+        return match export_air(table, recording, selection, &mut out) {
+            // A reader that has gone away (`| head`) has what it wanted.
+            Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
+            Err(error) => Err(failed(error)),
+            Ok(_) => match out.flush() {
+                Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(e)),
+                _ => Ok(()),
+            },
+        };
+    }
+    keep_recording(options, path)?;
+    let exported = export_air_file(table, recording, selection, path).map_err(failed)?;
+    report(&exported, path);
     Ok(())
 }
 

@@ -35,6 +35,17 @@ fn threads_recording_and_repetition_do_not_show() {
         "component.recorder.readings=[\"*\"]",
     ];
     assert_eq!(first, run(&readings), "with all readings");
+    let air = [
+        "--record",
+        "run.mcap",
+        "--set",
+        "component.recorder.packets=[\"*\"]",
+        "--set",
+        "component.recorder.radios=[\"*\"]",
+        "--set",
+        "component.recorder.radio_period=70 ms",
+    ];
+    assert_eq!(first, run(&air), "with all packets, links and counters");
     assert_ne!(
         first,
         run(&["--no-record", "--seed", "2"]),
