@@ -3,14 +3,15 @@
 use super::walk::Walk;
 use crate::phase::Phase;
 use simbeeotic_model::check::{at_least_zero, positive};
+use simbeeotic_model::radio::Packet;
 use simbeeotic_model::units::{Angle, Heading, Speed, Time};
 use simbeeotic_model::{Bee, Behavior, BuildError, Handle, Kit, RadioHandle, behavior, params};
 
 /// A bee that wanders, reads its compass and broadcasts: a load for measuring the simulator.
 ///
 /// It walks at random at each step of its vehicle's control law (10 Hz unless changed), reads the
-/// compass once a second, and, if it carries a radio, broadcasts four bytes once a second. This is
-/// the workload of the paper's figures 6 to 8.
+/// compass once a second, and, if it carries a radio, broadcasts four bytes once a second and counts
+/// the bytes that it hears. This is the workload of the paper's figures 6 to 8.
 #[behavior(
     "instrument-bee",
     java = "harvard.robobees.simbeeotic.example.InstrumentBee"
@@ -19,6 +20,7 @@ pub struct InstrumentBee {
     walk: Walk,
     compass: Option<Handle<Heading>>,
     radio: Option<RadioHandle>,
+    heard_bytes: u64,
 }
 
 /// Parameters of [`InstrumentBee`].
@@ -83,11 +85,16 @@ impl Behavior for InstrumentBee {
             walk,
             compass,
             radio,
+            heard_bytes: 0,
         })
     }
 
     fn on_control(&mut self, bee: &mut Bee<'_>) {
         self.walk.step(bee);
+    }
+
+    fn on_packet(&mut self, packet: &Packet<'_>, _bee: &mut Bee<'_>) {
+        self.heard_bytes += packet.payload().len() as u64;
     }
 }
 

@@ -311,6 +311,44 @@ fn the_bench_prints_figure_7_by_swarm_and_threads() {
 }
 
 #[test]
+fn the_bench_prints_figure_8_by_swarm_and_threads() {
+    let program = Program::new();
+    for (start, least) in [("paper", 0.95), ("density", 0.1)] {
+        let call = program.call(&[
+            "bench",
+            "fig8",
+            "--n",
+            "60",
+            "--duration",
+            "2 s",
+            "--threads",
+            "1,2",
+            "--start",
+            start,
+            "--repeat",
+            "1",
+            "--json",
+        ]);
+        assert_eq!(call.code, Some(0), "{}", call.err);
+        let rows: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
+        let rows = rows.as_array().expect("rows");
+        assert_eq!(rows.len(), 2);
+        for row in rows {
+            assert!(SHARES.iter().all(|key| row[key].is_number()), "{row}");
+            // At 0 s, 1 s and 2 s.
+            assert_eq!(row["sent"], 3 * 60, "{row}");
+            let number = |key: &str| row[key].as_f64().expect(key);
+            let pairs = number("sent") * 59.0;
+            assert!((number("delivered") - number("received") / pairs).abs() < 1e-12);
+            assert!((least..1.0).contains(&number("delivered")), "{row}");
+            assert!((number("received_per_s") - 0.5 * number("received")).abs() < 1e-9);
+        }
+        assert_eq!(rows[0]["trace_hash"], rows[1]["trace_hash"]);
+        assert_eq!(rows[0]["received"], rows[1]["received"]);
+    }
+}
+
+#[test]
 fn the_bench_prints_figure_6_by_obstacles() {
     let program = Program::new();
     for reach in ["out", "in"] {

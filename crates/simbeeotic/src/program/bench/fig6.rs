@@ -98,9 +98,10 @@ pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
     let workload = Workload {
         bees: BEES,
         duration: &options.duration,
-        edge_m: PAPER_EDGE_M,
+        edges_m: [PAPER_EDGE_M; 3],
         phase: &common.phase,
         contacts: true,
+        channel: None,
     };
     let loaded = workload.load()?;
     let starts = input::setup(&loaded)?.models;

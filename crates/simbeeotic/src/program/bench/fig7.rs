@@ -75,7 +75,7 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
         ));
     }
     let rows = measure(options)?;
-    agree(&rows)?;
+    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
     if common.json {
         return table::json(&rows);
     }
@@ -86,15 +86,7 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
             "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
              number of free processors can make it",
         );
-        remark(format!(
-            "trace hashes are equal for {} threads",
-            options
-                .threads
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .join(", ")
-        ));
+        table::same_for(&options.threads);
     }
     peers(&rows);
     Ok(())
@@ -109,9 +101,10 @@ fn measure(options: &Options) -> Result<Vec<Row>, Failure> {
         let workload = Workload {
             bees: n,
             duration: &options.duration,
-            edge_m: edge_m(n, &options.start),
+            edges_m: [edge_m(n, &options.start); 3],
             phase: &options.common.phase,
             contacts: !options.no_contacts,
+            channel: None,
         };
         workload.load()
     };
@@ -158,24 +151,6 @@ fn edge_m(n: u32, start: &str) -> f64 {
         2.0 * math::pow(f64::from(n), 1.0 / 3.0)
     } else {
         PAPER_EDGE_M
-    }
-}
-
-/// The number of threads must not show in a run.
-fn agree(rows: &[Row]) -> Result<(), Failure> {
-    let differ = |pair: &&[Row]| {
-        pair[0].n == pair[1].n && pair[0].cost.trace_hash != pair[1].cost.trace_hash
-    };
-    match rows.windows(2).find(differ) {
-        None => Ok(()),
-        Some(pair) => Err(Failure::run(format!(
-            "{} bees differ: trace hash {} with {} threads, {} with {}",
-            pair[0].n,
-            pair[0].cost.trace_hash,
-            pair[0].threads,
-            pair[1].cost.trace_hash,
-            pair[1].threads
-        ))),
     }
 }
 

@@ -1,7 +1,7 @@
 //! `bench`: the paper's experiments on this machine.
 //!
-//! An experiment is a table of runs: figure 7 by the size of the swarm, figure 6 by the number of
-//! obstacles. Machines are busy with other things too, so each row is run several times, not one row
+//! An experiment is a table of runs: figures 7 and 8 by the size of the swarm, figure 6 by the number
+//! of obstacles. Machines are busy with other things too, so each row is run several times, not one row
 //! after the other but round by round, and the least of each figure is told: what was added by others
 //! is never negative. Ratios between rows of one table then hold where seconds do not. Runs of a row
 //! differ in nothing, so their trace hashes must not either; if they do, that is the result.
@@ -11,6 +11,7 @@
 
 mod fig6;
 mod fig7;
+mod fig8;
 mod process;
 mod table;
 mod workload;
@@ -25,12 +26,15 @@ pub(super) enum Experiment {
     Fig6(fig6::Options),
     /// Figure 7: ever more bees
     Fig7(fig7::Options),
+    /// Figure 8: ever more bees that all talk and listen
+    Fig8(fig8::Options),
 }
 
 pub(super) fn bench(experiment: &Experiment) -> Result<(), Failure> {
     match experiment {
         Experiment::Fig6(options) => fig6::fig6(options),
         Experiment::Fig7(options) => fig7::fig7(options),
+        Experiment::Fig8(options) => fig8::fig8(options),
     }
 }
 

@@ -32,6 +32,32 @@ pub(super) fn rounds(
     Ok(costs)
 }
 
+/// The number of threads must not show in a run: rows of so many bees, in order, on so many threads.
+///
+/// # Errors
+/// Two rows in a row of as many bees, with different trace hashes.
+pub(super) fn agree<'a>(
+    rows: impl Iterator<Item = (u32, usize, &'a Cost)> + Clone,
+) -> Result<(), Failure> {
+    let mut pairs = rows.clone().zip(rows.skip(1));
+    match pairs.find(|(a, b)| a.0 == b.0 && a.2.trace_hash != b.2.trace_hash) {
+        None => Ok(()),
+        Some(((n, threads, cost), (_, others, other))) => Err(Failure::run(format!(
+            "{n} bees differ: trace hash {} with {threads} threads, {} with {others}",
+            cost.trace_hash, other.trace_hash
+        ))),
+    }
+}
+
+/// Says that these numbers of threads did not show in a run.
+pub(super) fn same_for(threads: &[usize]) {
+    let threads: Vec<String> = threads.iter().map(ToString::to_string).collect();
+    remark(format!(
+        "trace hashes are equal for {} threads",
+        threads.join(", ")
+    ));
+}
+
 /// Where the time goes: the columns that every experiment has.
 pub(super) const SHARES: [&str; 6] = [
     "events s",
@@ -100,6 +126,7 @@ mod tests {
             virtual_s: 1.0,
             events: 0,
             touches: 0,
+            packets: [0; 2],
             trace_hash: trace_hash.to_owned(),
         }
     }
@@ -124,5 +151,14 @@ mod tests {
         let mut run = |_| Ok(cost(1.0, hashes.next().expect("a run")));
         let failure = rounds(2, 2, &mut run).err().expect("b is not c");
         assert!(failure.message.contains("b and c"), "{}", failure.message);
+    }
+
+    #[test]
+    fn swarms_of_one_size_must_agree_whatever_the_threads() {
+        let [a, b] = ["a", "b"].map(|hash| cost(1.0, hash));
+        assert!(agree([(5, 1, &a), (5, 2, &a), (6, 1, &b)].into_iter()).is_ok());
+        let failure = agree([(5, 1, &a), (5, 2, &b)].into_iter()).err();
+        let message = failure.expect("a is not b").message;
+        assert!(message.contains("a with 1 threads, b with 2"), "{message}");
     }
 }

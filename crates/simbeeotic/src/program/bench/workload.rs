@@ -1,5 +1,6 @@
 //! The workload of the paper's section 5.1, and what one run of it costs: a random walk in steps of
-//! 0.1 s, a compass read once a second, no radio.
+//! 0.1 s, a compass read once a second; for figure 8, a broadcast of four bytes once a second, which
+//! everybody listens to.
 
 use super::{Failure, input, process};
 use serde::Serialize;
@@ -22,11 +23,13 @@ pub(super) struct Workload<'a> {
     pub(super) bees: u32,
     /// Virtual time, with its unit.
     pub(super) duration: &'a str,
-    /// They start in a cube with this edge and one corner in the origin, m.
-    pub(super) edge_m: f64,
+    /// They start in a box with these edges and one corner in the origin, m.
+    pub(super) edges_m: [f64; 3],
     /// `aligned` or `random`.
     pub(super) phase: &'a str,
     pub(super) contacts: bool,
+    /// What `[channel]` says, if they carry radios.
+    pub(super) channel: Option<&'a str>,
 }
 
 impl Workload<'_> {
@@ -35,11 +38,15 @@ impl Workload<'_> {
         let Self {
             bees,
             duration,
-            edge_m: edge,
+            edges_m: [east, north, up],
             phase,
             contacts,
+            channel,
         } = self;
         let mode = if *contacts { "respond" } else { "none" };
+        let channel = channel.map_or_else(String::new, |said| {
+            format!("[model.radio]\nuse = \"cc2420\"\n\n[channel]\n{said}\n")
+        });
         let text = format!(
             r#"
 [run]
@@ -50,7 +57,7 @@ end_time = "{duration}"
 use = "instrument-bee"
 name = "bee"
 count = {bees}
-start = {{ box = ["{edge} m", "{edge} m", "{edge} m"] }}
+start = {{ box = ["{east} m", "{north} m", "{up} m"] }}
 
 [model.params]
 max_speed = "{MAX_SPEED_M_S} m/s"
@@ -64,7 +71,8 @@ bee_collisions = {contacts}
 
 [model.sensor.compass]
 use = "compass"
-"#
+
+{channel}"#
         );
         load_text("bench", &text, &Request::default())
             .map_err(|rejected| Failure::run(input::text_of(&rejected)))
@@ -89,6 +97,9 @@ pub(super) struct Cost {
     pub(super) virtual_s: f64,
     pub(super) events: u64,
     pub(super) touches: u64,
+    /// Packets put on the air, and packets received, counted at each receiver.
+    #[serde(skip)]
+    pub(super) packets: [u64; 2],
     pub(super) trace_hash: String,
 }
 
@@ -147,6 +158,7 @@ pub(super) fn run(
         virtual_s: summary.virtual_s,
         events: summary.events,
         touches: summary.touches,
+        packets: [summary.packets.sent, summary.packets.received],
         trace_hash: summary.trace_hash,
     })
 }
@@ -168,6 +180,7 @@ mod tests {
             virtual_s: 10.0,
             events: 7,
             touches: 0,
+            packets: [0; 2],
             trace_hash: "a".to_owned(),
         }
     }
