@@ -49,7 +49,7 @@ use crate::sensor::Handle;
 use crate::timer::{Call, TimerHandle};
 use simbeeotic_kernel::Stream;
 use simbeeotic_physics::BodySpec;
-use simbeeotic_radio::{Inbox, Packet};
+use simbeeotic_radio::{Inbox, Outcome, Packet};
 use simbeeotic_units::Time;
 
 pub use crate::kit::{BuildError, Kit, RadioHandle};
@@ -73,15 +73,15 @@ pub trait Behavior<H: Host = Flying>: Sized + Send + 'static {
     /// Called at each step of the vehicle's control law, just before it.
     fn on_control(&mut self, _host: &mut H::View<'_>) {}
 
-    /// Called with everything the radios heard at this instant. Unless overridden, hands the
-    /// packets to [`Behavior::on_packet`] one by one.
+    /// Called with everything that one radio heard at this instant: once for each radio that heard
+    /// something. Unless overridden, hands the packets to [`Behavior::on_packet`] one by one.
     fn on_packets(&mut self, inbox: Inbox<'_>, host: &mut H::View<'_>) {
         for packet in inbox {
             self.on_packet(&packet, host);
         }
     }
 
-    /// Called for each packet heard.
+    /// Called for each packet heard. Of several radios, [`Packet::radio`] tells which heard it.
     fn on_packet(&mut self, _packet: &Packet<'_>, _host: &mut H::View<'_>) {}
 
     /// Called when the body touches something.
@@ -99,6 +99,9 @@ pub trait Behavior<H: Host = Flying>: Sized + Send + 'static {
 
 /// A method of a behaviour that a timer calls.
 pub type Handler<B, H = Flying> = fn(&mut B, &mut <H as Host>::View<'_>);
+
+/// A method of a behaviour that is called with what became of a packet, see [`Kit::on_sent`].
+pub type SentHandler<B, H = Flying> = fn(&mut B, &Outcome, &mut <H as Host>::View<'_>);
 
 /// A timer that is armed when the run starts.
 #[derive(Clone, Copy, Debug)]
@@ -203,7 +206,7 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
 
     /// The platform's radio, if it carries one.
     pub fn optional_radio(&self) -> Option<RadioHandle> {
-        (!self.gear.radios.is_empty()).then_some(RadioHandle { index: 0 })
+        (!self.gear.radios.is_empty()).then(|| self.radio_at(0))
     }
 
     /// The radio called `name`.
@@ -211,7 +214,18 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
     /// # Errors
     /// No radio has this name.
     pub fn radio_named(&self, name: &str) -> Result<RadioHandle, BuildError> {
-        self.gear.radio_named(name)
+        Ok(self.radio_at(self.gear.radio_named(name)?))
+    }
+
+    /// Calls `handler` with what became of each packet that this model sends, whichever radio sends it:
+    /// `Ok`, or why not. It comes when the medium is done with the packet, before what the
+    /// same radio received at the same instant; its ticket is the one that sending it returned.
+    ///
+    /// Without a handler nobody is woken, and [`Platform::radio_counters`](crate::Platform::radio_counters)
+    /// knows the sums. Whether `Ok` means sent or acknowledged is said by
+    /// [`Outcome::result`](simbeeotic_radio::Outcome::result).
+    pub fn on_sent(&mut self, handler: SentHandler<B, H>) {
+        self.sent = Some(handler);
     }
 
     /// A random stream of this behaviour's own, for one `purpose`. The stream behind

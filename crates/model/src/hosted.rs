@@ -1,8 +1,8 @@
 //! A behaviour on its host: the model behind every vehicle, station and planner.
 
-use crate::behavior::{Behavior, BuildError, Declared, Handler};
+use crate::behavior::{Behavior, BuildError, Declared, Handler, SentHandler};
 use crate::energy::{BatteryEvent, Plug};
-use crate::host::{Cx, Host, Platform, supply};
+use crate::host::{Cx, Host, Platform, Unsent, supply};
 use crate::instance::Instance;
 use crate::kit::Kit;
 use crate::model::{Model, Wake};
@@ -20,6 +20,7 @@ pub(crate) struct Hosted<B, H: Host> {
     handlers: Handlers<B, H>,
     behavior: B,
     host: H,
+    sent: Option<SentHandler<B, H>>,
     declared: Box<[Declared]>,
 }
 
@@ -35,11 +36,7 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
         known: &OnceLock<Handlers<B, H>>,
     ) -> Result<Self, BuildError> {
         let mut host = H::assemble(instance, B::body(&params))?;
-        let mut kit = Kit::new(
-            Arc::clone(&instance.gear),
-            Arc::clone(&instance.path),
-            instance.seed,
-        );
+        let mut kit = Kit::new(instance);
         let behavior = B::build(params, &mut kit)?;
         for (name, sensor, call) in std::mem::take(&mut kit.listeners) {
             let rated = host.gear().is_some_and(|gear| gear.on_sample(sensor, call));
@@ -50,11 +47,15 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
                 kit.fault.get_or_insert(BuildError::other(message));
             }
         }
+        if let Some(gear) = host.gear() {
+            gear.receipts = kit.sent.is_some();
+        }
         match kit.fault {
             Some(fault) => Err(fault),
             None => Ok(Self {
                 behavior,
                 host,
+                sent: kit.sent,
                 handlers: share(kit.handlers, known),
                 declared: kit.declared.into(),
             }),
@@ -123,6 +124,7 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
             behavior,
             host,
             handlers,
+            sent,
             ..
         } = self;
         match *wake {
@@ -146,10 +148,23 @@ impl<B: Behavior<H>, H: Host> Hosted<B, H> {
             }
             // A charger's, on something without a battery.
             Wake::Message(message) if message.get::<Plug>().is_some() => {}
+            Wake::Message(message) if message.get::<Unsent>().is_some() => {
+                if let (Some(Unsent(outcome)), Some(sent)) = (message.get(), sent) {
+                    sent(behavior, outcome, &mut host.view(cx.reborrow()));
+                }
+            }
             Wake::Message(message) => {
                 behavior.on_message(message, &mut host.view(cx.reborrow()));
             }
-            Wake::Packets(inbox) => behavior.on_packets(inbox, &mut host.view(cx.reborrow())),
+            Wake::Packets(inbox) => {
+                let view = &mut host.view(cx.reborrow());
+                if let Some(sent) = sent {
+                    for outcome in inbox.outcomes() {
+                        sent(behavior, outcome, view);
+                    }
+                }
+                behavior.on_packets(inbox, view);
+            }
             Wake::Touch(touch) => {
                 if let Some(gear) = host.gear() {
                     Platform::new(cx.reborrow(), gear).touched(touch);

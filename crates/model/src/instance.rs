@@ -2,7 +2,6 @@
 
 use crate::behavior::BuildError;
 use crate::energy::{Onboard, Supply};
-use crate::kit::RadioHandle;
 use crate::registry::{SensorFactory, SensorKit, VehicleFactory};
 use crate::sampling::Sampling;
 use crate::sensor::{AnySensor, Handle, Needs};
@@ -94,9 +93,10 @@ impl GearPlan {
         })
     }
 
-    pub(crate) fn radio_named(&self, name: &str) -> Result<RadioHandle, BuildError> {
+    /// The place of a radio among those on board.
+    pub(crate) fn radio_named(&self, name: &str) -> Result<usize, BuildError> {
         match self.radios.iter().position(|r| r.name == name) {
-            Some(index) => Ok(RadioHandle { index: index as u8 }),
+            Some(index) => Ok(index),
             None => Err(BuildError::NoSuchRadio {
                 name: name.to_owned(),
                 known: self.radios.iter().map(|r| r.name.clone()).collect(),
@@ -216,7 +216,7 @@ impl Instance<'_> {
             Needs::Motors => self.onboard.watched = true,
             Needs::Radio(name) => {
                 match name {
-                    Some(name) => drop(self.gear.radio_named(name)?),
+                    Some(name) => _ = self.gear.radio_named(name)?,
                     None if self.gear.radios.is_empty() => return Err(BuildError::NoRadio),
                     None => {}
                 }

@@ -1,12 +1,12 @@
 //! What a behaviour is built from, and why building may fail.
 
-use crate::behavior::{Declared, Handler};
+use crate::behavior::{Declared, Handler, SentHandler};
 use crate::config::{Fault, fault::list};
 use crate::host::{Flying, Host};
-use crate::instance::GearPlan;
+use crate::instance::{GearPlan, Instance};
 use crate::timer::Call;
 use simbeeotic_physics::BodyError;
-use simbeeotic_radio::RadioError;
+use simbeeotic_radio::{RadioError, RadioId};
 use simbeeotic_units::Time;
 use simbeeotic_world::generate::GenerateError;
 use std::sync::Arc;
@@ -20,19 +20,33 @@ pub struct Kit<B, H: Host = Flying> {
     pub(crate) declared: Vec<Declared>,
     /// Sensors whose samples are waited for.
     pub(crate) listeners: Vec<(String, u16, Call)>,
+    /// What is called with what became of a request.
+    pub(crate) sent: Option<SentHandler<B, H>>,
+    /// The platform's radios in the medium, in the order of `gear`; none if there is no channel.
+    pub(crate) radios: Vec<RadioId>,
     pub(crate) fault: Option<BuildError>,
 }
 
 impl<B, H: Host> Kit<B, H> {
-    pub(crate) fn new(gear: Arc<GearPlan>, path: Arc<str>, seed: u64) -> Self {
+    pub(crate) fn new(instance: &Instance<'_>) -> Self {
         Self {
-            gear,
-            path,
-            seed,
+            gear: Arc::clone(&instance.gear),
+            path: Arc::clone(&instance.path),
+            seed: instance.seed,
+            radios: instance.radios.clone(),
+            sent: None,
             handlers: Vec::new(),
             declared: Vec::new(),
             listeners: Vec::new(),
             fault: None,
+        }
+    }
+
+    /// The radio that stands at this place of the scenario.
+    pub(crate) fn radio_at(&self, index: usize) -> RadioHandle {
+        RadioHandle {
+            index: index as u8,
+            id: self.radios.get(index).copied().unwrap_or(OFF_THE_AIR),
         }
     }
 
@@ -55,6 +69,20 @@ impl<B, H: Host> Kit<B, H> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RadioHandle {
     pub(crate) index: u8,
+    pub(crate) id: RadioId,
+}
+
+/// What stands for the id of a radio where there is no channel.
+const OFF_THE_AIR: RadioId = RadioId(u32::MAX);
+
+impl RadioHandle {
+    /// Its id in the medium: what [`Packet::radio`](simbeeotic_radio::Packet::radio) and
+    /// [`Inbox::radio`](simbeeotic_radio::Inbox::radio) say of packets that it heard. Where there is
+    /// no channel it is nobody's.
+    #[must_use]
+    pub const fn id(self) -> RadioId {
+        self.id
+    }
 }
 
 /// Why a part could not be built from what the scenario says.

@@ -53,7 +53,7 @@ mod watch;
 
 pub use air::{Air, Fidelity, NoiseFloor};
 pub use around::{Echo, Nearby};
-pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle};
+pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle, SentHandler};
 pub use component::{Component, ComponentError, Note};
 pub use energy::{
     Accounts, BatteryEvent, BatteryState, Books, Condition, Consumer, Effort, Plug, Plugged, Supply,
@@ -97,7 +97,7 @@ pub mod prelude {
     pub use crate::host::{Bee, Bodiless, Cx, Entity, Flying, Platform, Ray, Seen, Station};
     pub use crate::kernel::{ModelId, SimTime, Stream};
     pub use crate::physics::{BodySpec, Contacts, Kind, Material, Mobility, Shape, group};
-    pub use crate::radio::{Inbox, Packet};
+    pub use crate::radio::{Inbox, Loss, Outcome, Packet, RadioState, Ticket};
     pub use crate::units::{
         Acceleration, Angle, AngularRate, Attitude, Charge, Current, Decibels, Enu, Flu, Force,
         ForceVec, Frequency, Heading, ImpulseVec, Length, Mass, Offset, Pose, Position, PowerLevel,

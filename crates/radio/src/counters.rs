@@ -30,11 +30,13 @@ pub enum Loss {
     TooLong,
     /// Sent, and never acknowledged.
     NoAcknowledgement,
+    /// Not sent: the scenario has no channel, or it is off.
+    NoChannel,
 }
 
 impl Loss {
     /// All reasons, in the order of summaries.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::OutOfRange,
         Self::BelowSensitivity,
         Self::Noise,
@@ -46,6 +48,7 @@ impl Loss {
         Self::QueueFull,
         Self::TooLong,
         Self::NoAcknowledgement,
+        Self::NoChannel,
     ];
 
     /// Its name in summaries and recordings.
@@ -63,6 +66,7 @@ impl Loss {
             Self::QueueFull => "queue-full",
             Self::TooLong => "too-long",
             Self::NoAcknowledgement => "no-acknowledgement",
+            Self::NoChannel => "no-channel",
         }
     }
 }

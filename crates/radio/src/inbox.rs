@@ -74,6 +74,7 @@ impl<'a> Inbox<'a> {
         Packets {
             hits: self.hits.iter(),
             frames: self.frames,
+            radio: self.radio,
             time: self.time,
             receiver: self.receiver,
             qualities: self.qualities.list.iter(),
@@ -165,6 +166,7 @@ impl fmt::Debug for Inbox<'_> {
 pub struct Packets<'a> {
     hits: std::slice::Iter<'a, Hit>,
     frames: &'a [Frame],
+    radio: RadioId,
     time: SimTime,
     receiver: Receiver<'a>,
     qualities: std::slice::Iter<'a, Quality>,
@@ -180,6 +182,7 @@ impl<'a> Iterator for Packets<'a> {
         Some(Packet {
             frame: &self.frames[hit.frame as usize],
             power_mw: hit.power_mw,
+            radio: self.radio,
             time: self.time,
             receiver: self.receiver,
             quality: self.qualities.next().map(|q| (*q, self.meaning)),
@@ -198,6 +201,7 @@ impl ExactSizeIterator for Packets<'_> {}
 pub struct Packet<'a> {
     frame: &'a Frame,
     power_mw: f32,
+    radio: RadioId,
     time: SimTime,
     receiver: Receiver<'a>,
     quality: Option<(Quality, LinkQuality)>,
@@ -226,6 +230,12 @@ impl<'a> Packet<'a> {
     #[must_use]
     pub fn destination(&self) -> Option<ModelId> {
         self.frame.destination
+    }
+
+    /// Which of the receiver's radios heard it.
+    #[must_use]
+    pub fn radio(&self) -> RadioId {
+        self.radio
     }
 
     /// When it was received: the end of its reception.

@@ -18,6 +18,7 @@ mod bodiless;
 mod cx;
 mod entity;
 mod platform;
+mod radio;
 mod sight;
 mod station;
 pub(crate) mod supply;
@@ -27,6 +28,7 @@ pub use bodiless::Bodiless;
 pub use cx::Cx;
 pub use entity::Entity;
 pub use platform::{Gear, Platform};
+pub(crate) use radio::Unsent;
 pub use sight::{Ray, Seen};
 pub use station::Station;
 

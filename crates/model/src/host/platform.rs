@@ -4,22 +4,24 @@ use super::{Cx, Entity};
 use crate::behavior::BuildError;
 use crate::energy::{Accounts, BatteryState, Books, Condition, Consumer, Effort, Onboard};
 use crate::instance::Instance;
-use crate::kit::RadioHandle;
 use crate::message::Touch;
 use crate::sampling::Sample;
 use crate::sensor::{AnySensor, Handle};
 use crate::swarm::Effect;
 use crate::timer::Call;
 use crate::view::Truth;
-use simbeeotic_kernel::ModelId;
-use simbeeotic_radio::{Command, Counters, Inbox, RadioId, RadioState, Request, Ticket};
+use simbeeotic_radio::{Inbox, Ticket};
 use simbeeotic_units::{Charge, Current, Mount, Time};
 use std::ops::{Deref, DerefMut};
-use std::sync::Arc;
 
-/// The sensors of one platform. Radios and accounts live with the model's core.
+/// The sensors of one platform, and how many requests its radios had. Radios and accounts live with
+/// the model's core.
 pub struct Gear {
     sensors: Box<[Box<dyn AnySensor>]>,
+    /// The ticket of the next request.
+    pub(super) ticket: Ticket,
+    /// Whether the behaviour wants to hear what became of each request.
+    pub(crate) receipts: bool,
 }
 
 impl Gear {
@@ -44,14 +46,16 @@ impl Gear {
         instance.onboard = Onboard::new(supply, instance.radios.len());
         Ok(Self {
             sensors: instance.sensors()?,
+            ticket: Ticket(0),
+            receipts: false,
         })
     }
 }
 
 /// A body with gear, as its behaviour sees it during one call.
 pub struct Platform<'a> {
-    entity: Entity<'a>,
-    gear: &'a mut Gear,
+    pub(super) entity: Entity<'a>,
+    pub(super) gear: &'a mut Gear,
 }
 
 impl<'a> Platform<'a> {
@@ -134,89 +138,6 @@ impl<'a> Platform<'a> {
             self.entity.out.effect(Effect::Sensed(index, taken));
         }
         answer
-    }
-
-    /// Broadcasts `payload`.
-    pub fn send(&mut self, radio: RadioHandle, payload: &[u8]) {
-        self.submit(radio, None, payload, None);
-    }
-
-    /// Sends `payload` to one receiver. It takes the time and charge of all who hear it, and is
-    /// handed to this one.
-    pub fn send_to(&mut self, radio: RadioHandle, receiver: ModelId, payload: &[u8]) {
-        self.submit(radio, Some(receiver), payload, None);
-    }
-
-    /// Sends `payload`, and asks for an outcome: it comes back with `ticket` in the inbox of
-    /// [`Behavior::on_packets`](crate::Behavior::on_packets).
-    pub fn send_with_ticket(
-        &mut self,
-        radio: RadioHandle,
-        receiver: Option<ModelId>,
-        payload: &[u8],
-        ticket: Ticket,
-    ) {
-        self.submit(radio, receiver, payload, Some(ticket));
-    }
-
-    /// Puts a radio to sleep, wakes it, tunes it, changes its power.
-    ///
-    /// A channel or power that makes no sense ends the run with an error that names this model.
-    pub fn command(&mut self, radio: RadioHandle, command: Command) {
-        if let Some(radio) = self.radio_id(radio) {
-            self.entity.out.effect(Effect::Command(radio, command));
-        }
-    }
-
-    /// What a radio is doing. Idle if there is no channel.
-    pub fn radio_state(&self, radio: RadioHandle) -> RadioState {
-        match (self.radio_id(radio), &self.entity.swarm.medium) {
-            (Some(radio), Some(medium)) => medium.state(radio, self.entity.now()),
-            _ => RadioState::Idle,
-        }
-    }
-
-    /// What became of a radio's frames so far.
-    pub fn radio_counters(&self, radio: RadioHandle) -> Counters {
-        match (self.radio_id(radio), &self.entity.swarm.medium) {
-            (Some(radio), Some(medium)) => medium.counters(radio),
-            _ => Counters::default(),
-        }
-    }
-
-    fn submit(
-        &mut self,
-        radio: RadioHandle,
-        destination: Option<ModelId>,
-        payload: &[u8],
-        ticket: Option<Ticket>,
-    ) {
-        let at = usize::from(radio.index);
-        if let Some(radio) = self.radio_id(radio) {
-            let cx = &mut *self.entity;
-            let onboard = cx.core.onboard.as_deref_mut();
-            if let Some(original) = onboard.and_then(|onboard| onboard.original.as_mut())
-                && let Some(medium) = &cx.swarm.medium
-            {
-                original.frames(at, medium.spec(radio), true, payload.len(), cx.now);
-            }
-            let request = Request {
-                radio,
-                destination,
-                payload: Arc::from(payload),
-                ticket,
-            };
-            self.entity.out.effect(Effect::Transmit(request));
-        }
-    }
-
-    /// With the channel off there is no radio to find, and packets go nowhere.
-    fn radio_id(&self, radio: RadioHandle) -> Option<RadioId> {
-        self.entity
-            .core
-            .radios
-            .get(usize::from(radio.index))
-            .copied()
     }
 
     /// Books `charge` on `consumer`, at once.

@@ -7,5 +7,6 @@ mod commands;
 mod determinism;
 mod golden;
 mod program;
+mod radio;
 mod shelf;
 mod world;
