@@ -47,7 +47,7 @@ use crate::host::{Flying, Host};
 use crate::message::{Message, Touch};
 use crate::sensor::Handle;
 use crate::timer::{Call, TimerHandle};
-use simbeeotic_kernel::Stream;
+use simbeeotic_kernel::{ModelId, Stream};
 use simbeeotic_physics::BodySpec;
 use simbeeotic_radio::{Inbox, Outcome, Packet};
 use simbeeotic_units::Time;
@@ -232,6 +232,11 @@ impl<B: Behavior<H>, H: Host> Kit<B, H> {
     /// [`Cx::rng`](crate::host::Cx::rng) needs no asking.
     pub fn stream(&self, purpose: &str) -> Stream {
         Stream::new(self.seed, &self.path, purpose)
+    }
+
+    /// The id of this model, and its address for packets.
+    pub fn id(&self) -> ModelId {
+        self.id
     }
 
     /// The path of this model: `bee-17`.

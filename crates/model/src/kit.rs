@@ -5,6 +5,7 @@ use crate::config::{Fault, fault::list};
 use crate::host::{Flying, Host};
 use crate::instance::{GearPlan, Instance};
 use crate::timer::Call;
+use simbeeotic_kernel::ModelId;
 use simbeeotic_physics::BodyError;
 use simbeeotic_radio::{RadioError, RadioId};
 use simbeeotic_units::Time;
@@ -14,6 +15,7 @@ use std::sync::Arc;
 /// The box of parts a behaviour is built from.
 pub struct Kit<B, H: Host = Flying> {
     pub(crate) gear: Arc<GearPlan>,
+    pub(crate) id: ModelId,
     pub(crate) path: Arc<str>,
     pub(crate) seed: u64,
     pub(crate) handlers: Vec<Handler<B, H>>,
@@ -31,6 +33,7 @@ impl<B, H: Host> Kit<B, H> {
     pub(crate) fn new(instance: &Instance<'_>) -> Self {
         Self {
             gear: Arc::clone(&instance.gear),
+            id: instance.id,
             path: Arc::clone(&instance.path),
             seed: instance.seed,
             radios: instance.radios.clone(),

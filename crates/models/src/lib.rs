@@ -20,6 +20,7 @@ pub mod antenna;
 pub mod behavior;
 pub mod generator;
 pub mod medium;
+pub mod net;
 pub mod phase;
 pub mod propagation;
 pub mod radio;

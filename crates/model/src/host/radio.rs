@@ -4,9 +4,10 @@ use super::Platform;
 use crate::kit::RadioHandle;
 use crate::swarm::Effect;
 use simbeeotic_kernel::ModelId;
-use simbeeotic_radio::phy::{Cca, CcaMode};
+
 use simbeeotic_radio::{
-    Channel, Command, Counters, Loss, Outcome, RadioId, RadioSpec, RadioState, Request, Ticket,
+    CcaMode, Channel, Command, Counters, Loss, Outcome, RadioId, RadioSpec, RadioState, Request,
+    Ticket,
 };
 use simbeeotic_units::PowerLevel;
 use std::sync::Arc;
@@ -112,7 +113,7 @@ impl Platform<'_> {
     }
 
     /// Whether a radio's clear channel assessment finds its channel free now: by the energy on it, by
-    /// whether a frame is being taken in, or by both, as the radio has it ([`Cca`]).
+    /// whether a frame is being taken in, or by both, as the radio has it ([`Cca`](simbeeotic_radio::Cca)).
     ///
     /// `None` if the radio cannot listen, as for [`sense`](Self::sense). Media do their own assessment
     /// before they send; this is for those who write their own medium access.

@@ -15,6 +15,15 @@ pub(super) struct Walk {
 }
 
 impl Walk {
+    /// The usual walk with this top speed.
+    pub(super) fn up_to(max_speed: Speed) -> Self {
+        Self {
+            heading_sigma: Angle::si(0.2),
+            velocity_sigma: Speed::si(0.2),
+            max_speed,
+        }
+    }
+
     /// One step of the paper's random walk: a random turn, a random change of the velocity forward
     /// and up, and a cap on the speed.
     pub(super) fn step(&self, bee: &mut Bee<'_>) {
