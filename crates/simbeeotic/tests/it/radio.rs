@@ -89,6 +89,11 @@ impl Operator {
                 );
                 self.say(me, &line);
             }
+            ["clear", name] => {
+                let clear = me.channel_clear(radio);
+                let free = clear.map_or("unknown", |clear| if clear { "free" } else { "busy" });
+                self.say(me, &format!("finds {name} {free}"));
+            }
             ["state", name] => {
                 let state = me.radio_state(radio).name();
                 self.say(me, &format!("{name} is in state {state}"));
@@ -362,6 +367,140 @@ fn stations_talk_as_vehicles_do() {
             "ann #0 sent"
         ]
     );
+}
+
+/// A channel on which packets take their time; queues of two.
+const IEEE: &str = r#"[channel]
+    medium = { use = "ieee802154", queue = 2 }"#;
+
+/// What was said, without the times, by name.
+fn by(name: &str, said: &[String]) -> Vec<String> {
+    let words = |line: &String| line.splitn(4, ' ').map(str::to_owned).collect::<Vec<_>>();
+    let lines = said.iter().map(words).filter(|words| words[2] == name);
+    lines.map(|words| words[3].clone()).collect()
+}
+
+/// When a line was said, in ms.
+fn when(what: &str, said: &[String]) -> f64 {
+    let line = said.iter().find(|line| line.contains(what));
+    let line = line.unwrap_or_else(|| panic!("{what} is not in {said:#?}"));
+    let seconds = line.split(' ').next().expect("a time");
+    1e3 * seconds.parse::<f64>().expect("a number")
+}
+
+#[test]
+fn a_packet_to_somebody_is_acknowledged_and_others_overhear_it() {
+    let ann = ["100 to radio bob hello"];
+    let count = ["900 count radio"];
+    let cast = [
+        Cast::bee("ann", 0.0, &ann),
+        Cast::bee("bob", 10.0, &count),
+        Cast::bee("carol", -10.0, &count),
+    ];
+    let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(by("ann", &said), ["#0 sent"]);
+    let bob = ["hears hello from ann on radio with -60.1 dBm", "radio: 0 sent, 1 received, 0 overheard"];
+    assert_eq!(by("bob", &said), bob);
+    assert_eq!(by("carol", &said), ["radio: 0 sent, 0 received, 1 overheard"]);
+    // Access 0.32 to 2.56 ms, 22 bytes of 32 us; then 192 us of turnaround and 11 bytes.
+    let (heard, acknowledged) = (when("hears", &said), when("#0", &said));
+    assert!((101.024..=103.264).contains(&heard), "{heard} ms");
+    assert!((acknowledged - heard - 0.544).abs() < 1e-6, "{acknowledged} ms");
+}
+
+#[test]
+fn a_packet_that_nobody_acknowledges_is_sent_four_times_and_given_up() {
+    let ann = ["100 to radio bob hello", "900 count radio"];
+    let cast = [
+        Cast::bee("ann", 0.0, &ann),
+        Cast::bee("bob", 10.0, &["50 sleep radio", "500 wake radio", "900 count radio"]),
+    ];
+    let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
+    let expected = [
+        "#0 no-acknowledgement",
+        "radio: 4 sent, 0 received, 0 overheard, 1 no-acknowledgement",
+    ];
+    assert_eq!(by("ann", &said), expected);
+    assert_eq!(by("bob", &said), ["radio: 0 sent, 0 received, 0 overheard, 4 asleep"]);
+}
+
+#[test]
+fn more_packets_than_the_queue_holds_are_refused_at_once() {
+    let ann: Vec<String> = (0..5).map(|k| format!("100 send radio p{k}")).collect();
+    let ann: Vec<&str> = ann.iter().map(String::as_str).collect();
+    let cast = [Cast::bee("ann", 0.0, &ann), Cast::bee("bob", 10.0, &[])];
+    let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
+    // One is being sent, two wait.
+    let expected = ["#3 queue-full", "#4 queue-full", "#0 sent", "#1 sent", "#2 sent"];
+    assert_eq!(by("ann", &said), expected);
+    assert_eq!(by("bob", &said).len(), 3);
+    assert_eq!(when("#4", &said), 100.0);
+}
+
+#[test]
+fn nobody_hears_while_it_sends() {
+    let mut script: Vec<String> = (0..40).map(|k| format!("{} send radio x", 20 * k)).collect();
+    script.push("900 count radio".to_owned());
+    let script: Vec<&str> = script.iter().map(String::as_str).collect();
+    let cast = [Cast::bee("ann", 0.0, &script), Cast::bee("bob", 10.0, &script)];
+    let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
+    for name in ["ann", "bob"] {
+        let lines = by(name, &said);
+        let heard = lines.iter().filter(|line| line.starts_with("hears")).count();
+        let counted = lines.iter().find(|line| line.starts_with("radio:")).expect("counters");
+        assert!((20..40).contains(&heard), "{name} hears {heard}");
+        let all = format!("40 sent, {heard} received, 0 overheard, {} half-duplex", 40 - heard);
+        assert_eq!(*counted, format!("radio: {all}"), "{name}");
+    }
+}
+
+#[test]
+fn a_frame_on_the_air_is_sensed_and_makes_the_channel_busy() {
+    // It begins 0.32 to 2.56 ms after the request, and lasts 3.744 ms.
+    let ann = ["100 long radio 100", "103 sense radio", "103 state radio"];
+    let bob = [
+        "50 sense radio",
+        "50 clear radio",
+        "103 sense radio",
+        "103 clear radio",
+        "103 state radio",
+        "110 clear radio",
+        "120 sleep radio",
+        "121 clear radio",
+        "121 state radio",
+    ];
+    let cast = [Cast::bee("ann", 0.0, &ann), Cast::bee("bob", 10.0, &bob)];
+    let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
+    let expected = ["senses nothing on radio", "radio is in state transmit", "#0 sent"];
+    assert_eq!(by("ann", &said), expected);
+    let bob: Vec<String> = by("bob", &said);
+    let expected = [
+        "senses -95.5 on radio",
+        "finds radio free",
+        "senses -60.1 on radio",
+        "finds radio busy",
+        "radio is in state receive",
+        "finds radio free",
+        "finds radio unknown",
+        "radio is in state sleep",
+    ];
+    let told: Vec<&String> = bob.iter().filter(|line| !line.starts_with("hears")).collect();
+    assert_eq!(told, expected.iter().collect::<Vec<_>>());
+}
+
+#[test]
+fn two_radios_on_two_channels_do_not_wait_for_each_other() {
+    let two = |name, east_m, script| Cast { radios: TWO, ..Cast::bee(name, east_m, script) };
+    let ann: Vec<String> = (0..30)
+        .flat_map(|k| ["long", "short"].map(|name| format!("{} send {name} x", 20 * k)))
+        .collect();
+    let ann: Vec<&str> = ann.iter().map(String::as_str).collect();
+    let bob = ["900 count long", "900 count short"];
+    let said = play(IEEE, &[two("ann", 0.0, &ann[..]), two("bob", 5.0, &bob[..])]);
+    let said = said.unwrap_or_else(|e| panic!("{e}"));
+    let bob = by("bob", &said);
+    let expected = ["long: 0 sent, 30 received, 0 overheard", "short: 0 sent, 30 received, 0 overheard"];
+    assert_eq!(bob[60..], expected);
 }
 
 /// Two radios, far apart in the spectrum and in strength.
