@@ -6,6 +6,7 @@ mod bounds;
 mod commands;
 mod determinism;
 mod golden;
+mod layers;
 mod program;
 mod radio;
 mod shelf;

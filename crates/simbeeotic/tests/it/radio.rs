@@ -194,10 +194,18 @@ impl Component for Log {
 
     fn observe(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
         for mark in view.marks() {
-            if let Mark::Log { time, text, .. } = mark {
-                let line = format!("{time} {text}");
-                self.0.lock().expect("one thread at a time").push(line);
-            }
+            let line = match mark {
+                Mark::Log { time, text, .. } => format!("{time} {text}"),
+                Mark::Metric {
+                    time,
+                    model,
+                    name,
+                    value,
+                    ..
+                } => format!("{time} {} {name} {value}", view.population().path(*model)),
+                _ => continue,
+            };
+            self.0.lock().expect("one thread at a time").push(line);
         }
         Ok(())
     }
@@ -258,8 +266,14 @@ const SIMPLE: &str = r#"[channel]
 /// What is said in a run of a second, or why it ends early.
 fn play(channel: &str, cast: &[Cast<'_>]) -> Result<Vec<String>, String> {
     let models: String = cast.iter().map(Cast::text).collect();
-    let text = format!("[run]\nseed = 1\nend_time = \"1 s\"\n{channel}\n{models}");
-    let loaded = load_text("radio", &text, &Request::default());
+    play_text(&format!(
+        "[run]\nseed = 1\nend_time = \"1 s\"\n{channel}\n{models}"
+    ))
+}
+
+/// What is said and published in a run, or why it ends early.
+pub(crate) fn play_text(text: &str) -> Result<Vec<String>, String> {
+    let loaded = load_text("radio", text, &Request::default());
     let loaded = loaded.map_err(|rejected| format!("{:?}", rejected.faults))?;
     let mut setup = loaded.setup().map_err(|faults| format!("{faults:?}"))?;
     let log = Log::default();
@@ -399,13 +413,22 @@ fn a_packet_to_somebody_is_acknowledged_and_others_overhear_it() {
     ];
     let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(by("ann", &said), ["#0 sent"]);
-    let bob = ["hears hello from ann on radio with -60.1 dBm", "radio: 0 sent, 1 received, 0 overheard"];
+    let bob = [
+        "hears hello from ann on radio with -60.1 dBm",
+        "radio: 0 sent, 1 received, 0 overheard",
+    ];
     assert_eq!(by("bob", &said), bob);
-    assert_eq!(by("carol", &said), ["radio: 0 sent, 0 received, 1 overheard"]);
+    assert_eq!(
+        by("carol", &said),
+        ["radio: 0 sent, 0 received, 1 overheard"]
+    );
     // Access 0.32 to 2.56 ms, 22 bytes of 32 us; then 192 us of turnaround and 11 bytes.
     let (heard, acknowledged) = (when("hears", &said), when("#0", &said));
     assert!((101.024..=103.264).contains(&heard), "{heard} ms");
-    assert!((acknowledged - heard - 0.544).abs() < 1e-6, "{acknowledged} ms");
+    assert!(
+        (acknowledged - heard - 0.544).abs() < 1e-6,
+        "{acknowledged} ms"
+    );
 }
 
 #[test]
@@ -413,7 +436,11 @@ fn a_packet_that_nobody_acknowledges_is_sent_four_times_and_given_up() {
     let ann = ["100 to radio bob hello", "900 count radio"];
     let cast = [
         Cast::bee("ann", 0.0, &ann),
-        Cast::bee("bob", 10.0, &["50 sleep radio", "500 wake radio", "900 count radio"]),
+        Cast::bee(
+            "bob",
+            10.0,
+            &["50 sleep radio", "500 wake radio", "900 count radio"],
+        ),
     ];
     let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
     let expected = [
@@ -421,7 +448,10 @@ fn a_packet_that_nobody_acknowledges_is_sent_four_times_and_given_up() {
         "radio: 4 sent, 0 received, 0 overheard, 1 no-acknowledgement",
     ];
     assert_eq!(by("ann", &said), expected);
-    assert_eq!(by("bob", &said), ["radio: 0 sent, 0 received, 0 overheard, 4 asleep"]);
+    assert_eq!(
+        by("bob", &said),
+        ["radio: 0 sent, 0 received, 0 overheard, 4 asleep"]
+    );
 }
 
 #[test]
@@ -431,7 +461,13 @@ fn more_packets_than_the_queue_holds_are_refused_at_once() {
     let cast = [Cast::bee("ann", 0.0, &ann), Cast::bee("bob", 10.0, &[])];
     let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
     // One is being sent, two wait.
-    let expected = ["#3 queue-full", "#4 queue-full", "#0 sent", "#1 sent", "#2 sent"];
+    let expected = [
+        "#3 queue-full",
+        "#4 queue-full",
+        "#0 sent",
+        "#1 sent",
+        "#2 sent",
+    ];
     assert_eq!(by("ann", &said), expected);
     assert_eq!(by("bob", &said).len(), 3);
     assert_eq!(when("#4", &said), 100.0);
@@ -439,17 +475,31 @@ fn more_packets_than_the_queue_holds_are_refused_at_once() {
 
 #[test]
 fn nobody_hears_while_it_sends() {
-    let mut script: Vec<String> = (0..40).map(|k| format!("{} send radio x", 20 * k)).collect();
+    let mut script: Vec<String> = (0..40)
+        .map(|k| format!("{} send radio x", 20 * k))
+        .collect();
     script.push("900 count radio".to_owned());
     let script: Vec<&str> = script.iter().map(String::as_str).collect();
-    let cast = [Cast::bee("ann", 0.0, &script), Cast::bee("bob", 10.0, &script)];
+    let cast = [
+        Cast::bee("ann", 0.0, &script),
+        Cast::bee("bob", 10.0, &script),
+    ];
     let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
     for name in ["ann", "bob"] {
         let lines = by(name, &said);
-        let heard = lines.iter().filter(|line| line.starts_with("hears")).count();
-        let counted = lines.iter().find(|line| line.starts_with("radio:")).expect("counters");
+        let heard = lines
+            .iter()
+            .filter(|line| line.starts_with("hears"))
+            .count();
+        let counted = lines
+            .iter()
+            .find(|line| line.starts_with("radio:"))
+            .expect("counters");
         assert!((20..40).contains(&heard), "{name} hears {heard}");
-        let all = format!("40 sent, {heard} received, 0 overheard, {} half-duplex", 40 - heard);
+        let all = format!(
+            "40 sent, {heard} received, 0 overheard, {} half-duplex",
+            40 - heard
+        );
         assert_eq!(*counted, format!("radio: {all}"), "{name}");
     }
 }
@@ -471,7 +521,11 @@ fn a_frame_on_the_air_is_sensed_and_makes_the_channel_busy() {
     ];
     let cast = [Cast::bee("ann", 0.0, &ann), Cast::bee("bob", 10.0, &bob)];
     let said = play(IEEE, &cast).unwrap_or_else(|e| panic!("{e}"));
-    let expected = ["senses nothing on radio", "radio is in state transmit", "#0 sent"];
+    let expected = [
+        "senses nothing on radio",
+        "radio is in state transmit",
+        "#0 sent",
+    ];
     assert_eq!(by("ann", &said), expected);
     let bob: Vec<String> = by("bob", &said);
     let expected = [
@@ -484,22 +538,34 @@ fn a_frame_on_the_air_is_sensed_and_makes_the_channel_busy() {
         "finds radio unknown",
         "radio is in state sleep",
     ];
-    let told: Vec<&String> = bob.iter().filter(|line| !line.starts_with("hears")).collect();
+    let told: Vec<&String> = bob
+        .iter()
+        .filter(|line| !line.starts_with("hears"))
+        .collect();
     assert_eq!(told, expected.iter().collect::<Vec<_>>());
 }
 
 #[test]
 fn two_radios_on_two_channels_do_not_wait_for_each_other() {
-    let two = |name, east_m, script| Cast { radios: TWO, ..Cast::bee(name, east_m, script) };
+    let two = |name, east_m, script| Cast {
+        radios: TWO,
+        ..Cast::bee(name, east_m, script)
+    };
     let ann: Vec<String> = (0..30)
         .flat_map(|k| ["long", "short"].map(|name| format!("{} send {name} x", 20 * k)))
         .collect();
     let ann: Vec<&str> = ann.iter().map(String::as_str).collect();
     let bob = ["900 count long", "900 count short"];
-    let said = play(IEEE, &[two("ann", 0.0, &ann[..]), two("bob", 5.0, &bob[..])]);
+    let said = play(
+        IEEE,
+        &[two("ann", 0.0, &ann[..]), two("bob", 5.0, &bob[..])],
+    );
     let said = said.unwrap_or_else(|e| panic!("{e}"));
     let bob = by("bob", &said);
-    let expected = ["long: 0 sent, 30 received, 0 overheard", "short: 0 sent, 30 received, 0 overheard"];
+    let expected = [
+        "long: 0 sent, 30 received, 0 overheard",
+        "short: 0 sent, 30 received, 0 overheard",
+    ];
     assert_eq!(bob[60..], expected);
 }
 
