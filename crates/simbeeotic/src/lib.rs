@@ -110,3 +110,7 @@ mod sensors_in_the_book {}
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/sensors-environment.md")]
 mod surroundings_in_the_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/radio.md")]
+mod radio_in_the_book {}

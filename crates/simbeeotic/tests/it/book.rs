@@ -97,6 +97,42 @@ fn the_bees_of_the_page_on_the_surroundings_fly_and_see() {
 }
 
 #[test]
+fn the_scenarios_of_the_chapter_on_radio_run() {
+    let chapter = include_str!("../../../../docs/book/src/radio.md");
+    let blocks = chapter.split("```toml").skip(1);
+    let blocks = blocks.map(|block| block.split("```").next().expect("a block ends"));
+    let (whole, parts): (Vec<&str>, Vec<&str>) = blocks.partition(|text| text.contains("[run]"));
+    // The first is of the chapter's own behaviour, and runs where that is compiled.
+    assert!(whole[0].contains("\"hello-bee\"") && whole.len() == 2);
+    let program = Program::new();
+    program.write("fidelity.toml", whole[1]);
+    for set in [
+        "model.bee.params.phase=aligned",
+        "channel.medium=simple",
+        "channel.medium={ use = \"ieee802154\", preset = \"ns3\", queue = 10 }",
+    ] {
+        let call = program.call(&["run", "fidelity.toml", "--end-time", "2 s", "--set", set]);
+        assert_eq!(call.code, Some(0), "{}", call.err);
+    }
+    // Two radios and a channel, as parts of a file.
+    let radios = parts
+        .iter()
+        .find(|text| text.contains("radio.long"))
+        .expect("two radios");
+    let channel = parts
+        .iter()
+        .find(|text| text.contains("[channel]"))
+        .expect("a channel");
+    let two =
+        format!("[run]\nend_time = \"1 s\"\n{channel}\n[[model]]\nuse = \"slot-bee\"\n{radios}");
+    program.write("two.toml", &two);
+    let call = program.call(&["run", "two.toml"]);
+    assert_eq!(call.code, Some(0), "{}\n{two}", call.err);
+    let said = format!("{}{}", call.out, call.err);
+    assert!(said.contains("1 bodies, 2 radios"), "{said}");
+}
+
+#[test]
 fn a_recording_names_the_object_that_was_touched() {
     let program = Program::new();
     let scenario = r#"
