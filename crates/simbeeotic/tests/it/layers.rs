@@ -1,7 +1,7 @@
 //! The layers on the packet interface, in runs: beacons, flooding, time slots.
 
+use crate::operator::play_text;
 use crate::program::shipped;
-use crate::radio::play_text;
 use simbeeotic::run_text;
 use std::collections::BTreeMap;
 

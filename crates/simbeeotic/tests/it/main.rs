@@ -7,6 +7,7 @@ mod commands;
 mod determinism;
 mod golden;
 mod layers;
+mod operator;
 mod program;
 mod radio;
 mod shelf;
