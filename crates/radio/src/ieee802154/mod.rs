@@ -34,6 +34,8 @@
 
 mod act;
 mod agenda;
+#[cfg(test)]
+mod agreement;
 mod air;
 mod exact;
 mod fast;
