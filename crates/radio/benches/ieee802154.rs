@@ -98,21 +98,31 @@ impl Swarm {
     }
 }
 
+/// Time that this process has had on a processor, ns; 0 where the system does not tell.
+fn on_cpu_ns() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    let first = text.split(' ').next();
+    first.and_then(|ns| ns.parse().ok()).unwrap_or(0.0)
+}
+
 fn saturated(c: &mut Criterion) {
     let mut group = c.benchmark_group("ieee802154");
     group.sample_size(10);
     for n in [500, 2000, 8192] {
         let mut swarm = Swarm::new(n);
+        let before_ns = on_cpu_ns();
         for _ in 0..3 {
             swarm.second();
         }
+        let cpu_ns = on_cpu_ns() - before_ns;
         let totals = swarm.medium.totals();
         let pairs = totals.sent * (n as u64 - 1);
         println!(
-            "{n} nodes: {:.0} frames a second, {:.4} delivered, {} rounds",
+            "{n} nodes: {:.0} frames a second, {:.4} delivered, {} rounds, {:.1} CPU ns per pair",
             totals.sent as f64 / 3.0,
             swarm.received as f64 / pairs as f64,
-            swarm.rounds
+            swarm.rounds,
+            cpu_ns / pairs as f64
         );
         group.throughput(Throughput::Elements(pairs / 3));
         group.bench_function(BenchmarkId::new("saturated", n), |b| {

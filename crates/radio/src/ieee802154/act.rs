@@ -15,8 +15,8 @@ use crate::inbox::Quality;
 use crate::medium::Poses;
 use crate::phy::CcaMode;
 use crate::radio::RadioId;
-use simbeeotic_kernel::SimTime;
 use simbeeotic_kernel::rng::draw_u64;
+use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_units::Time;
 use std::sync::Arc;
 
@@ -579,32 +579,44 @@ impl Ieee802154Medium {
             let Some(id) = members.radios[reception.row as usize] else {
                 continue;
             };
-            let radio = &mut self.radios[id as usize];
-            if let Some(destination) = destination {
-                if destination != self.specs[id as usize].owner {
-                    radio.books.overheard += 1;
-                    continue;
-                }
-                let last = radio.last_from.insert(sender, sequence);
-                let again = last == Some(sequence);
-                if let Some(acks) = acks.filter(|_| radio.timing.acks.is_some()) {
-                    radio.acking = Some((key, acks.bytes));
-                    let token = radio.ear_token;
-                    self.hear(id, now_ns, Ear::Deaf);
-                    self.push(now_ns + acks.delay_ns, Kind::AckStart, id, token, false);
-                }
-                if again {
-                    self.radios[id as usize].books.repeated += 1;
-                    continue;
-                }
+            // A broadcast does not touch the radio: what it received follows from the air's books.
+            if let Some(destination) = destination
+                && !self.address(id, now_ns, destination, [key, sender, sequence], acks)
+            {
+                continue;
             }
-            self.radios[id as usize].books.received += 1;
             let quality = Quality {
                 ln_success: reception.ln_success,
                 sinr: reception.sinr,
             };
             self.mail.note(id, reception.power_mw, quality);
         }
+    }
+
+    /// What a radio does with a frame to somebody in particular; whether it is for its owner, and new.
+    /// A frame has a key, its sender one of its own, and a sequence number.
+    fn address(
+        &mut self,
+        id: u32,
+        now_ns: u64,
+        destination: ModelId,
+        [key, sender, sequence]: [u64; 3],
+        acks: Option<AckTiming>,
+    ) -> bool {
+        let radio = &mut self.radios[id as usize];
+        if destination != self.specs[id as usize].owner {
+            radio.books.overheard += 1;
+            return false;
+        }
+        let again = radio.last_from.insert(sender, sequence) == Some(sequence);
+        radio.books.repeated += u64::from(again);
+        if let Some(acks) = acks.filter(|_| radio.timing.acks.is_some()) {
+            radio.acking = Some((key, acks.bytes));
+            let token = radio.ear_token;
+            self.hear(id, now_ns, Ear::Deaf);
+            self.push(now_ns + acks.delay_ns, Kind::AckStart, id, token, false);
+        }
+        !again
     }
 
     /// Whoever waited for this acknowledgement has it.

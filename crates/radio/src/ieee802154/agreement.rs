@@ -95,6 +95,8 @@ fn play(mut air: Box<dyn Air>, deeds: &[Deed]) -> Played {
     }
     agenda.sort_unstable();
     let (source, mut on) = (source(), [true; ROWS]);
+    // Numbers grow in the order of starts.
+    let (mut ids, mut next_id) = (vec![0; deeds.len()], u32::MAX - 3);
     let (mut receptions, mut sights) = (Vec::new(), Vec::new());
     for (now_ns, what, at) in agenda {
         let key = draw_u64(1, at as u64, 0);
@@ -105,8 +107,10 @@ fn play(mut air: Box<dyn Air>, deeds: &[Deed]) -> Played {
                     .map(|&dbm| PowerLevel::from_dbm(dbm).milliwatts() as f32)
                     .collect();
                 powers_mw[*row] = 0.0;
+                next_id = next_id.wrapping_add(1).max(1);
+                ids[at] = next_id;
                 air.start(OnAir {
-                    id: at as u32 + 1,
+                    id: ids[at],
                     key,
                     modulation: u32::from(at % 7 == 6),
                     start_ns: now_ns,
@@ -117,7 +121,7 @@ fn play(mut air: Box<dyn Air>, deeds: &[Deed]) -> Played {
             }
             Deed::Frame(..) => {
                 let mut heard = Vec::new();
-                air.end(at as u32 + 1, now_ns, &mut heard);
+                air.end(ids[at], now_ns, &mut heard);
                 receptions.extend(heard.into_iter().map(|r| (key, r)));
             }
             Deed::Listen(_, row, listening) => {

@@ -2,7 +2,8 @@
 //!
 //! While a single frame is on the air, the passes are plain loops, and all that is known of the
 //! receivers follows from the frame. Only when frames overlap, each receiver gets books of its own:
-//! power on the channel, logarithm of its frame's chance so far, and since when.
+//! power on the channel, power of its frame, and logarithm of its frame's chance so far. The present
+//! interval began for all at one time, when the last frame began or ended.
 //!
 //! The power on the channel is a sum that frames come to and leave again. It is kept in f64, of
 //! powers rounded to multiples of 2^-50 mW (-150 dBm): such sums are exact up to 8 mW, so that nothing
@@ -13,6 +14,7 @@
 
 use super::Quirks;
 use super::air::{Air, Modulation, OnAir, Receiver, Reception, Taking, Tally, luck, survives};
+use crate::scratch::ROW;
 use simbeeotic_units::math;
 
 /// The air in columns.
@@ -21,43 +23,29 @@ pub(super) struct FastAir {
     quirks: Quirks,
     tables: Vec<Table>,
     frames: Vec<OnAir>,
-    /// Whether the only frame on the air began in silence: the columns of `overlap` are stale then.
+    /// Whether the only frame on the air began in silence: the columns of overlap are stale then.
     single: bool,
 
     receivers: Vec<Receiver>,
+    noise_mw: Vec<f32>,
     /// The weakest frame that a row takes up in silence; infinite if it does not listen.
     thresholds_mw: Vec<f32>,
-    silent_thresholds_mw: Vec<f32>,
-    modulations: Vec<u32>,
     one_modulation: bool,
     /// The frame that a row is taking in; 0 is none.
     locks: Vec<u32>,
-    heard: Vec<u64>,
-    books: Vec<Books>,
-    overlap: Vec<Overlap>,
-    totals_mw: Vec<f64>,
-}
+    /// Frames heard since the books were last brought up to date.
+    heard: Vec<u32>,
+    started: u32,
+    books: Vec<Tally>,
 
-/// What is booked when a frame ends.
-#[derive(Clone, Copy, Debug, Default)]
-struct Books {
-    rx_ns: u64,
-    got: u64,
-    noise: u64,
-    dropped: u64,
-}
-
-/// What a receiver must know of its frame when others interfere.
-#[derive(Clone, Copy, Debug, Default)]
-struct Overlap {
-    power_mw: f32,
-    /// Logarithm of the chance of what is over.
-    ln_success: f32,
-    /// Interference times time, mW ns.
-    energy: f32,
-    /// When the present interval, and the frame, began: the low bits of the time in ns.
+    /// The columns of overlap. Time of the last change on the air, low bits of the ns.
     since_ns: u32,
-    locked_ns: u32,
+    totals_mw: Vec<f64>,
+    powers_mw: Vec<f32>,
+    /// Logarithm of the chance of what is over of the row's frame.
+    ln_success: Vec<f32>,
+    /// Interference times time, mW ns.
+    energies: Vec<f32>,
 }
 
 /// The longest frame: times within it are told by 32 bits.
@@ -71,38 +59,43 @@ impl FastAir {
             frames: Vec::new(),
             single: false,
             receivers: Vec::new(),
+            noise_mw: Vec::new(),
             thresholds_mw: Vec::new(),
-            silent_thresholds_mw: Vec::new(),
-            modulations: Vec::new(),
             one_modulation: true,
             locks: Vec::new(),
             heard: Vec::new(),
+            started: 0,
             books: Vec::new(),
-            overlap: Vec::new(),
+            since_ns: 0,
             totals_mw: Vec::new(),
+            powers_mw: Vec::new(),
+            ln_success: Vec::new(),
+            energies: Vec::new(),
         }
     }
 
-    /// Brings the columns up to date before a second frame begins.
+    /// Before a column of 32 bits overflows.
+    fn settle(&mut self) {
+        self.started = 0;
+        for (book, heard) in self.books.iter_mut().zip(&mut self.heard) {
+            book.heard += u64::from(std::mem::take(heard));
+        }
+    }
+
+    /// Fills the columns of overlap before a second frame begins.
     fn open_books(&mut self) {
         let Some(frame) = self.frames.first().filter(|_| self.single) else {
             return;
         };
         self.single = false;
-        let n = self.receivers.len();
-        let since_ns = frame.start_ns as u32;
-        let powers = &frame.powers_mw[..n];
-        for ((total, overlap), &power_mw) in
-            self.totals_mw.iter_mut().zip(&mut self.overlap).zip(powers)
-        {
+        self.since_ns = frame.start_ns as u32;
+        self.powers_mw
+            .copy_from_slice(&frame.powers_mw[..self.receivers.len()]);
+        for (total, &power_mw) in self.totals_mw.iter_mut().zip(&self.powers_mw) {
             *total = rounded(power_mw);
-            *overlap = Overlap {
-                power_mw,
-                since_ns,
-                locked_ns: since_ns,
-                ..Overlap::default()
-            };
         }
+        self.ln_success.fill(0.0);
+        self.energies.fill(0.0);
     }
 
     fn start_in_silence(&mut self, frame: &OnAir) {
@@ -110,15 +103,15 @@ impl FastAir {
         let n = self.receivers.len();
         let (powers, thresholds) = (&frame.powers_mw[..n], &self.thresholds_mw[..n]);
         let (locks, heard) = (&mut self.locks[..n], &mut self.heard[..n]);
-        let counted = u64::from(frame.counted);
+        let counted = u32::from(frame.counted);
         for j in 0..n {
             let takes = powers[j] >= thresholds[j];
             locks[j] = if takes { frame.id } else { 0 };
-            heard[j] += u64::from(takes) & counted;
+            heard[j] += u32::from(takes) & counted;
         }
         if !self.one_modulation {
             for j in 0..n {
-                if self.modulations[j] != frame.modulation && locks[j] != 0 {
+                if self.receivers[j].modulation != frame.modulation && locks[j] != 0 {
                     locks[j] = 0;
                     heard[j] -= counted;
                 }
@@ -127,47 +120,88 @@ impl FastAir {
     }
 
     fn start_among_others(&mut self, frame: &OnAir) {
+        self.close_interval(frame.start_ns as u32);
         let n = self.receivers.len();
-        let now_ns = frame.start_ns as u32;
-        let counted = u64::from(frame.counted);
+        // Frames that began at this very instant have numbers from here on.
+        let together = self.frames.iter().filter(|f| f.start_ns == frame.start_ns);
+        let fresh = together.map(|f| frame.id.wrapping_sub(f.id)).max();
+        let fresh_span = fresh.unwrap_or(0);
+        let fresh_from = frame.id.wrapping_sub(fresh_span);
+
+        let counted = u32::from(frame.counted);
         let powers = &frame.powers_mw[..n];
         let receivers = &self.receivers[..n];
         let thresholds = &self.thresholds_mw[..n];
+        let noise = &self.noise_mw[..n];
         let totals = &mut self.totals_mw[..n];
         let (locks, heard) = (&mut self.locks[..n], &mut self.heard[..n]);
-        let overlap = &mut self.overlap[..n];
-        let modulations = &self.modulations[..n];
+        let own = &mut self.powers_mw[..n];
+        let ln_success = &mut self.ln_success[..n];
+        let energies = &mut self.energies[..n];
+        let one_modulation = self.one_modulation;
         for j in 0..n {
             let (power_mw, before_mw) = (powers[j], totals[j]);
             totals[j] = before_mw + rounded(power_mw);
-            let strong = power_mw >= thresholds[j] && modulations[j] == frame.modulation;
-            heard[j] += u64::from(strong) & counted;
-            let (o, r) = (&mut overlap[j], &receivers[j]);
-            let takes = if locks[j] != 0 {
-                // Of signals that begin together, the strongest is taken up.
-                strong && o.locked_ns == now_ns && power_mw > o.power_mw
+            let known = one_modulation || receivers[j].modulation == frame.modulation;
+            let strong = (power_mw >= thresholds[j]) & known;
+            heard[j] += u32::from(strong) & counted;
+            // Of signals that begin together, the strongest is taken up.
+            let free = locks[j] == 0;
+            let fresh = locks[j].wrapping_sub(fresh_from) < fresh_span;
+            let over = power_mw > receivers[j].lock * (noise[j] + before_mw as f32);
+            let takes = strong & ((free & over) | (!free & fresh & (power_mw > own[j])));
+            locks[j] = if takes { frame.id } else { locks[j] };
+            own[j] = if takes { power_mw } else { own[j] };
+            ln_success[j] = if takes { 0.0 } else { ln_success[j] };
+            energies[j] = if takes { 0.0 } else { energies[j] };
+        }
+    }
+
+    /// Ends the present interval for all: what it did to the frame in each row. Rows without a frame
+    /// are reckoned as well, which costs less than asking.
+    fn close_interval(&mut self, now_ns: u32) {
+        let ns = now_ns.wrapping_sub(self.since_ns) as f32;
+        self.since_ns = now_ns;
+        if ns == 0.0 {
+            return;
+        }
+        let n = self.receivers.len();
+        let (mut steps, mut rests) = ([0u32; ROW], [0.0f32; ROW]);
+        for first in (0..n).step_by(ROW) {
+            let rows = first..n.min(first + ROW);
+            let m = rows.len();
+            let totals = &self.totals_mw[rows.clone()][..m];
+            let own = &self.powers_mw[rows.clone()][..m];
+            let noise = &self.noise_mw[rows.clone()][..m];
+            let energies = &mut self.energies[rows.clone()][..m];
+            let ln_success = &mut self.ln_success[rows.clone()][..m];
+            let receivers = &self.receivers[rows][..m];
+            for j in 0..m {
+                let others_mw = others_mw(totals[j], own[j]);
+                energies[j] += others_mw * ns;
+                (steps[j], rests[j]) = Table::place(own[j] / (noise[j] + others_mw));
+            }
+            if self.one_modulation {
+                let table = &self.tables[receivers[0].modulation as usize];
+                let bits = table.bits(ns, self.quirks);
+                for j in 0..m {
+                    ln_success[j] += bits * table.between(steps[j], rests[j]);
+                }
             } else {
-                strong && power_mw > r.lock * (r.noise_mw + before_mw as f32)
-            };
-            if takes {
-                locks[j] = frame.id;
-                *o = Overlap {
-                    power_mw,
-                    since_ns: now_ns,
-                    locked_ns: now_ns,
-                    ..Overlap::default()
-                };
-            } else if locks[j] != 0 {
-                o.close(now_ns, before_mw, r, &self.tables, self.quirks);
+                for j in 0..m {
+                    let table = &self.tables[receivers[j].modulation as usize];
+                    let bits = table.bits(ns, self.quirks);
+                    ln_success[j] += bits * table.between(steps[j], rests[j]);
+                }
             }
         }
     }
 
     fn end_single(&mut self, frame: &OnAir, now_ns: u64, receptions: &mut Vec<Reception>) {
         let n = self.receivers.len();
-        let airtime_ns = (now_ns - frame.start_ns) as f32;
+        let airtime_ns = now_ns - frame.start_ns;
         let table = &self.tables[frame.modulation as usize];
-        let bits = table.bits(airtime_ns, self.quirks);
+        let bits = table.bits(airtime_ns as f32, self.quirks);
         let counted = u64::from(frame.counted);
         let powers = &frame.powers_mw[..n];
         let receivers = &self.receivers[..n];
@@ -180,7 +214,7 @@ impl FastAir {
             let sinr = powers[j] / receivers[j].noise_mw;
             let ln_success = bits * table.ln_bit(sinr);
             let luck = luck(frame.key, receivers[j].salt);
-            books[j].rx_ns += now_ns - frame.start_ns;
+            books[j].rx_ns += airtime_ns;
             if survives(luck, ln_success.into()) {
                 books[j].got += counted;
                 receptions.push(Reception {
@@ -197,65 +231,61 @@ impl FastAir {
     }
 
     fn end_among_others(&mut self, frame: &OnAir, now_ns: u64, receptions: &mut Vec<Reception>) {
+        // ns-3 does not look at interference that ends: it counts as if it had not been.
+        let closed = self.quirks == Quirks::None;
+        if closed {
+            self.close_interval(now_ns as u32);
+        }
         let n = self.receivers.len();
-        let now = now_ns as u32;
-        let airtime_ns = (now_ns - frame.start_ns) as f32;
+        let airtime_ns = now_ns - frame.start_ns;
+        let length_ns = (airtime_ns as f32).max(1.0);
+        let rest_ns = (now_ns as u32).wrapping_sub(self.since_ns) as f32;
+        let table = &self.tables[frame.modulation as usize];
+        let rest_bits = table.bits(rest_ns, self.quirks);
+        let all_bits = table.bits(airtime_ns as f32, self.quirks);
         let counted = u64::from(frame.counted);
-        let powers = &frame.powers_mw[..n];
         let receivers = &self.receivers[..n];
-        let totals = &mut self.totals_mw[..n];
-        let (locks, overlap) = (&mut self.locks[..n], &mut self.overlap[..n]);
-        let (books, tables) = (&mut self.books[..n], &self.tables);
+        let (locks, books) = (&mut self.locks[..n], &mut self.books[..n]);
+        let (totals, own) = (&mut self.totals_mw[..n], &self.powers_mw[..n]);
+        let (ln_success, energies) = (&self.ln_success[..n], &self.energies[..n]);
         for j in 0..n {
-            let total_mw = totals[j];
-            totals[j] = total_mw - rounded(powers[j]);
-            let (o, r) = (&mut overlap[j], &receivers[j]);
-            if locks[j] == frame.id {
-                locks[j] = 0;
-                o.close(now, total_mw, r, tables, self.quirks);
-                let luck = luck(frame.key, r.salt);
-                books[j].rx_ns += now_ns - frame.start_ns;
-                if survives(luck, o.ln_success.into()) {
-                    books[j].got += counted;
-                    receptions.push(Reception {
-                        row: j as u32,
-                        power_mw: o.power_mw,
-                        ln_success: o.ln_success,
-                        sinr: o.power_mw / (r.noise_mw + o.energy / airtime_ns.max(1.0)),
-                    });
-                } else {
-                    let table = &tables[r.modulation as usize];
-                    let bits = table.bits(airtime_ns, self.quirks);
-                    let alone = bits * table.ln_bit(o.power_mw / r.noise_mw);
-                    books[j].noise += counted & u64::from(!survives(luck, alone.into()));
-                }
-            } else if locks[j] != 0 && self.quirks == Quirks::None {
-                // ns-3 does not look at interference that ends: it counts as if it had not been.
-                o.close(now, total_mw, r, tables, self.quirks);
+            if locks[j] != frame.id {
+                continue;
             }
+            locks[j] = 0;
+            let (power_mw, noise_mw) = (own[j], receivers[j].noise_mw);
+            let (mut ln_success, mut energy) = (ln_success[j], energies[j]);
+            if !closed {
+                let others_mw = others_mw(totals[j], power_mw);
+                ln_success += rest_bits * table.ln_bit(power_mw / (noise_mw + others_mw));
+                energy += others_mw * rest_ns;
+            }
+            let luck = luck(frame.key, receivers[j].salt);
+            books[j].rx_ns += airtime_ns;
+            if survives(luck, ln_success.into()) {
+                books[j].got += counted;
+                receptions.push(Reception {
+                    row: j as u32,
+                    power_mw,
+                    ln_success,
+                    sinr: power_mw / (noise_mw + energy / length_ns),
+                });
+            } else {
+                let alone = all_bits * table.ln_bit(power_mw / noise_mw);
+                books[j].noise += counted & u64::from(!survives(luck, alone.into()));
+            }
+        }
+        for (total, &power_mw) in totals.iter_mut().zip(&frame.powers_mw) {
+            *total -= rounded(power_mw);
         }
     }
 }
 
-impl Overlap {
-    /// Ends the present interval, with `total_mw` on the channel in it.
-    #[inline(always)]
-    fn close(
-        &mut self,
-        now_ns: u32,
-        total_mw: f64,
-        receiver: &Receiver,
-        tables: &[Table],
-        quirks: Quirks,
-    ) {
-        let table = &tables[receiver.modulation as usize];
-        let ns = now_ns.wrapping_sub(self.since_ns) as f32;
-        let interference_mw = (total_mw - rounded(self.power_mw)).max(0.0) as f32;
-        let sinr = self.power_mw / (receiver.noise_mw + interference_mw);
-        self.ln_success += table.bits(ns, quirks) * table.ln_bit(sinr);
-        self.energy += interference_mw * ns;
-        self.since_ns = now_ns;
-    }
+/// What others add to a frame's own power on the channel.
+#[inline(always)]
+fn others_mw(total_mw: f64, own_mw: f32) -> f32 {
+    let others_mw = (total_mw - rounded(own_mw)) as f32;
+    if others_mw > 0.0 { others_mw } else { 0.0 }
 }
 
 impl Air for FastAir {
@@ -264,34 +294,34 @@ impl Air for FastAir {
     }
 
     fn join(&mut self, row: usize, receiver: Receiver) {
-        self.open_books();
         if row >= self.receivers.len() {
             let n = row + 1;
             self.receivers.resize(n, Receiver::default());
+            self.noise_mw.resize(n, 1.0);
             self.thresholds_mw.resize(n, f32::INFINITY);
-            self.silent_thresholds_mw.resize(n, f32::INFINITY);
-            self.modulations.resize(n, 0);
             self.locks.resize(n, 0);
             self.heard.resize(n, 0);
-            self.books.resize(n, Books::default());
-            self.overlap.resize(n, Overlap::default());
+            self.books.resize(n, Tally::default());
             self.totals_mw.resize(n, 0.0);
+            self.powers_mw.resize(n, 0.0);
+            self.ln_success.resize(n, 0.0);
+            self.energies.resize(n, 0.0);
         }
         for frame in &mut self.frames {
             frame.powers_mw.resize(self.receivers.len(), 0.0);
             frame.powers_mw[row] = 0.0;
         }
+        self.open_books();
         self.receivers[row] = receiver;
+        self.noise_mw[row] = receiver.noise_mw;
         self.thresholds_mw[row] = f32::INFINITY;
-        self.silent_thresholds_mw[row] = receiver
-            .sensitivity_mw
-            .max(receiver.lock * receiver.noise_mw);
-        self.modulations[row] = receiver.modulation;
-        self.one_modulation &= receiver.modulation == self.modulations[0];
+        let first = self.receivers[0].modulation;
+        self.one_modulation = self.receivers.iter().all(|r| r.modulation == first);
         self.locks[row] = 0;
         self.heard[row] = 0;
-        self.books[row] = Books::default();
+        self.books[row] = Tally::default();
         self.totals_mw[row] = 0.0;
+        self.powers_mw[row] = 0.0;
     }
 
     fn reveal(&mut self, row: usize, frame: usize, power_mw: f32) {
@@ -300,10 +330,11 @@ impl Air for FastAir {
     }
 
     fn listen(&mut self, row: usize, now_ns: u64, listening: bool) -> Option<Taking> {
-        self.thresholds_mw[row] = if listening {
-            self.silent_thresholds_mw[row]
-        } else {
-            f32::INFINITY
+        let receiver = &self.receivers[row];
+        let silent_mw = receiver.lock * receiver.noise_mw;
+        self.thresholds_mw[row] = match listening {
+            true => silent_mw.max(receiver.sensitivity_mw),
+            false => f32::INFINITY,
         };
         let taking = self.taking(row)?;
         self.locks[row] = 0;
@@ -313,6 +344,10 @@ impl Air for FastAir {
     }
 
     fn start(&mut self, frame: OnAir) {
+        if self.started == u32::MAX {
+            self.settle();
+        }
+        self.started += 1;
         if self.frames.is_empty() {
             self.start_in_silence(&frame);
         } else {
@@ -361,18 +396,10 @@ impl Air for FastAir {
     }
 
     fn tally(&self, row: usize) -> Tally {
-        let Books {
-            rx_ns,
-            got,
-            noise,
-            dropped,
-        } = self.books[row];
+        let book = self.books[row];
         Tally {
-            heard: self.heard[row],
-            got,
-            noise,
-            dropped,
-            rx_ns,
+            heard: book.heard + u64::from(self.heard[row]),
+            ..book
         }
     }
 }
@@ -422,21 +449,36 @@ impl Table {
     fn bits(&self, ns: f32, quirks: Quirks) -> f32 {
         let bits = ns / self.ns_per_bit;
         if quirks == Quirks::Ns3 {
-            bits.ceil()
+            // `ceil` would be a call.
+            let whole = bits as i32 as f32;
+            whole + f32::from(u8::from(whole < bits))
         } else {
             bits
         }
     }
 
-    /// Below -54 dB as there; above 30 dB as there.
+    /// The step of a ratio, and how far into it, 0 to 1. Below -54 dB as there; above 30 dB as there.
+    #[inline(always)]
+    fn place(sinr: f32) -> (u32, f32) {
+        const LEAST: f32 = f32::from_bits(FIRST << REST_BITS);
+        const MOST: f32 = f32::from_bits(((FIRST + STEPS as u32) << REST_BITS) - 1);
+        let held = if sinr > LEAST { sinr } else { LEAST };
+        let held = if held < MOST { held } else { MOST };
+        let bits = held.to_bits() - (FIRST << REST_BITS);
+        let rest = (bits & ((1 << REST_BITS) - 1)) as i32 as f32;
+        (bits >> REST_BITS, rest * (1.0 / (1 << REST_BITS) as f32))
+    }
+
+    #[inline(always)]
+    fn between(&self, step: u32, rest: f32) -> f32 {
+        let [from, by] = self.steps[step as usize % STEPS];
+        from + rest * by
+    }
+
     #[inline(always)]
     fn ln_bit(&self, sinr: f32) -> f32 {
-        const LEAST: u32 = FIRST << REST_BITS;
-        const MOST: u32 = ((FIRST + STEPS as u32) << REST_BITS) - 1;
-        let bits = sinr.to_bits().clamp(LEAST, MOST) - LEAST;
-        let rest = (bits & ((1 << REST_BITS) - 1)) as f32 * (1.0 / (1 << REST_BITS) as f32);
-        let [from, by] = self.steps[(bits >> REST_BITS) as usize % STEPS];
-        from + rest * by
+        let (step, rest) = Self::place(sinr);
+        self.between(step, rest)
     }
 }
 

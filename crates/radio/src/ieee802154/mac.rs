@@ -326,6 +326,7 @@ impl Radio {
         let beyond = self.left_beyond + beyond;
         let faint = presence.listening.saturating_sub(heard + beyond);
         let settled = got + noise + dropped + u64::from(taking);
+        counters.received = got - counters.overheard - counters.repeated;
         counters.lose(Loss::OutOfRange, beyond);
         counters.lose(weak, faint);
         counters.lose(Loss::Noise, noise);

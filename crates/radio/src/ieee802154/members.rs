@@ -122,11 +122,14 @@ impl Members {
         for (row, position) in self.positions.iter().enumerate().take(self.radios.len()) {
             [east[row], north[row], up[row]] = position.si().as_vec3().to_array();
         }
-        for row in 0..self.radios.len() {
-            if self.radios[row].is_none() {
-                self.enu_m.iter_mut().for_each(|axis| axis[row] = f32::NAN);
-            } else if self.any_mounted {
+        if self.any_mounted {
+            for row in 0..self.radios.len() {
                 self.place_mounted(row, poses);
+            }
+        }
+        for &row in &self.vacant {
+            for axis in &mut self.enu_m {
+                axis[row as usize] = f32::NAN;
             }
         }
     }
