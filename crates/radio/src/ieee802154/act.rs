@@ -11,7 +11,6 @@ use super::{Arithmetic, Ieee802154Config, Quirks};
 use crate::channel::Channel;
 use crate::counters::Loss;
 use crate::frame::Frame;
-use crate::inbox::Quality;
 use crate::medium::Poses;
 use crate::phy::CcaMode;
 use crate::radio::RadioId;
@@ -574,22 +573,23 @@ impl Ieee802154Medium {
         let (destination, key) = (frame.destination, frame.key);
         let sender = self.specs[frame.radio.index()].key;
         self.mail.frames.push(frame);
-        for reception in receptions {
-            let members = &self.bands[band].members;
-            let Some(id) = members.radios[reception.row as usize] else {
-                continue;
-            };
-            // A broadcast does not touch the radio: what it received follows from the air's books.
-            if let Some(destination) = destination
-                && !self.address(id, now_ns, destination, [key, sender, sequence], acks)
-            {
-                continue;
+        let Some(destination) = destination else {
+            // Touches no radio: what each received follows from the books of the air.
+            let radios = &self.bands[band].members.radios;
+            for reception in receptions {
+                if let Some(id) = radios[reception.row as usize] {
+                    self.mail.note(id, reception);
+                }
             }
-            let quality = Quality {
-                ln_success: reception.ln_success,
-                sinr: reception.sinr,
+            return;
+        };
+        for reception in receptions {
+            let Some(id) = self.bands[band].members.radios[reception.row as usize] else {
+                continue;
             };
-            self.mail.note(id, reception.power_mw, quality);
+            if self.address(id, now_ns, destination, [key, sender, sequence], acks) {
+                self.mail.note(id, reception);
+            }
         }
     }
 

@@ -9,8 +9,7 @@
 //! powers rounded to multiples of 2^-50 mW (-150 dBm): such sums are exact up to 8 mW, so that nothing
 //! remains of a frame that is gone, however strong, and the order of frames does not matter.
 //!
-//! The logarithm of a bit's chance comes from a table over the top bits of the ratio's f32, 256 steps
-//! an octave with straight lines between.
+//! The logarithm of a bit's chance comes from a table with straight lines between its steps.
 
 use super::Quirks;
 use super::air::{Air, Modulation, OnAir, Receiver, Reception, Taking, Tally, luck, survives};
@@ -166,7 +165,7 @@ impl FastAir {
             return;
         }
         let n = self.receivers.len();
-        let (mut steps, mut rests) = ([0u32; ROW], [0.0f32; ROW]);
+        let (mut steps, mut rests, mut others) = ([0u32; ROW], [0.0f32; ROW], [0.0f32; ROW]);
         for first in (0..n).step_by(ROW) {
             let rows = first..n.min(first + ROW);
             let m = rows.len();
@@ -177,21 +176,23 @@ impl FastAir {
             let ln_success = &mut self.ln_success[rows.clone()][..m];
             let receivers = &self.receivers[rows][..m];
             for j in 0..m {
-                let others_mw = others_mw(totals[j], own[j]);
-                energies[j] += others_mw * ns;
-                (steps[j], rests[j]) = Table::place(own[j] / (noise[j] + others_mw));
+                others[j] = others_mw(totals[j], own[j]);
+                energies[j] += others[j] * ns;
             }
             if self.one_modulation {
                 let table = &self.tables[receivers[0].modulation as usize];
                 let bits = table.bits(ns, self.quirks);
+                for j in 0..m {
+                    (steps[j], rests[j]) = table.place(own[j] / (noise[j] + others[j]));
+                }
                 for j in 0..m {
                     ln_success[j] += bits * table.between(steps[j], rests[j]);
                 }
             } else {
                 for j in 0..m {
                     let table = &self.tables[receivers[j].modulation as usize];
-                    let bits = table.bits(ns, self.quirks);
-                    ln_success[j] += bits * table.between(steps[j], rests[j]);
+                    let sinr = own[j] / (noise[j] + others[j]);
+                    ln_success[j] += table.bits(ns, self.quirks) * table.ln_bit(sinr);
                 }
             }
         }
@@ -412,36 +413,60 @@ fn rounded(power_mw: f32) -> f64 {
 }
 
 /// The logarithm of the chance of one bit, over the linear SINR.
+///
+/// Steps are told by the top bits of `SINR + offset`, with an offset a few times smaller than the
+/// ratios where bits begin to survive: so steps are even below, and 256 an octave above. The table ends
+/// where no bit is lost any more. All that is looked up lies in some 10 KiB.
 #[derive(Debug)]
 struct Table {
     ns_per_bit: f32,
+    /// A power of two.
+    offset: f32,
+    /// The last ratio, offset included.
+    most: f32,
     /// Value at the start of each step, and what it grows by over the step.
-    steps: Box<[[f32; 2]; STEPS]>,
+    steps: Vec<[f32; 2]>,
 }
 
 const STEP_BITS: u32 = 8;
 const REST_BITS: u32 = f32::MANTISSA_DIGITS - 1 - STEP_BITS;
 
-/// From 2^-18 (-54 dB) to 2^10 (30 dB). Only the few steps around the threshold are ever warm.
-const FIRST: u32 = (127 - 18) << STEP_BITS;
-const STEPS: usize = 28 << STEP_BITS;
+/// No table is longer than so many octaves.
+const OCTAVES_MAX: usize = 24;
+
+/// Fewer errors than this in a bit are none in any frame.
+const NO_ERROR: f64 = 1e-19;
 
 impl Table {
     fn new(modulation: &Modulation) -> Self {
-        let at = |step: u32| f64::from(f32::from_bits((FIRST + step) << REST_BITS));
-        let ln_bit = |sinr: f64| math::ln_1p(-modulation.errors.bit_error(sinr).min(1.0 - 1e-9));
-        let steps: Vec<[f32; 2]> = (0..STEPS as u32)
-            .map(|step| {
-                let (from, to) = (ln_bit(at(step)), ln_bit(at(step + 1)));
-                [from as f32, (to - from) as f32]
-            })
-            .collect();
+        let errors = modulation.errors.as_ref();
+        // The octave in which one bit of a thousand is lost.
+        let octave = (-40..40).find(|&octave| errors.bit_error(two_to(octave)) < 1e-3);
+        let offset = two_to(octave.unwrap_or(0) - 3);
+        let first = (offset as f32).to_bits() >> REST_BITS;
+        let at = |step: u32| f64::from(f32::from_bits((first + step) << REST_BITS)) - offset;
+        let ln_bit = |sinr: f64| {
+            let error = errors.bit_error(sinr).min(1.0 - 1e-9);
+            if error < NO_ERROR {
+                0.0
+            } else {
+                math::ln_1p(-error)
+            }
+        };
+        let mut steps = Vec::new();
+        for step in 0..(OCTAVES_MAX << STEP_BITS) as u32 {
+            let (from, to) = (ln_bit(at(step)), ln_bit(at(step + 1)));
+            steps.push([from as f32, (to - from) as f32]);
+            if from == 0.0 {
+                break;
+            }
+        }
+        let last = (first + steps.len() as u32) << REST_BITS;
         Self {
             ns_per_bit: modulation.ns_per_bit as f32,
-            steps: steps
-                .into_boxed_slice()
-                .try_into()
-                .expect("a table has STEPS steps"),
+            offset: offset as f32,
+            most: f32::from_bits(last - 1),
+            steps,
         }
     }
 
@@ -457,29 +482,36 @@ impl Table {
         }
     }
 
-    /// The step of a ratio, and how far into it, 0 to 1. Below -54 dB as there; above 30 dB as there.
+    /// The step of a ratio (0 or more), and how far into it, 0 to 1.
     #[inline(always)]
-    fn place(sinr: f32) -> (u32, f32) {
-        const LEAST: f32 = f32::from_bits(FIRST << REST_BITS);
-        const MOST: f32 = f32::from_bits(((FIRST + STEPS as u32) << REST_BITS) - 1);
-        let held = if sinr > LEAST { sinr } else { LEAST };
-        let held = if held < MOST { held } else { MOST };
-        let bits = held.to_bits() - (FIRST << REST_BITS);
+    fn place(&self, sinr: f32) -> (u32, f32) {
+        let shifted = sinr + self.offset;
+        let held = if shifted < self.most {
+            shifted
+        } else {
+            self.most
+        };
+        let bits = held.to_bits().wrapping_sub(self.offset.to_bits());
         let rest = (bits & ((1 << REST_BITS) - 1)) as i32 as f32;
         (bits >> REST_BITS, rest * (1.0 / (1 << REST_BITS) as f32))
     }
 
     #[inline(always)]
     fn between(&self, step: u32, rest: f32) -> f32 {
-        let [from, by] = self.steps[step as usize % STEPS];
+        let [from, by] = self.steps[step as usize];
         from + rest * by
     }
 
     #[inline(always)]
     fn ln_bit(&self, sinr: f32) -> f32 {
-        let (step, rest) = Self::place(sinr);
+        let (step, rest) = self.place(sinr);
         self.between(step, rest)
     }
+}
+
+/// `2^exponent`, exactly.
+fn two_to(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
 #[cfg(test)]
@@ -501,7 +533,7 @@ mod tests {
                 let exact = OqpskDsss.success(sinr, bits);
                 let ln_success = bits * f64::from(table.ln_bit(sinr as f32));
                 let error = (math::exp(ln_success) - exact).abs();
-                assert!(error < 3e-5, "{sinr} {bits}: off by {error}");
+                assert!(error < 6e-5, "{sinr} {bits}: off by {error}");
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What a round hands out: packets and outcomes, sorted by radio.
 
+use super::air::Reception;
 use crate::frame::{Frame, Outcome};
 use crate::inbox::{Hit, Quality};
 use crate::radio::RadioId;
@@ -9,7 +10,8 @@ use crate::radio::RadioId;
 pub(super) struct Mail {
     /// Frames that ended in this round, in the order of (time, sender).
     pub(super) frames: Vec<Frame>,
-    notes: Vec<(u32, Hit, Quality)>,
+    /// Who received each packet, and how.
+    receivers: Vec<u32>,
     hits: Vec<Hit>,
     qualities: Vec<Quality>,
     /// First and number of the packets of each radio.
@@ -26,7 +28,7 @@ impl Mail {
 
     /// Forgets the last round.
     pub(super) fn clear(&mut self) {
-        for (radio, ..) in self.notes.drain(..) {
+        for radio in self.receivers.drain(..) {
             self.spans[radio as usize] = (0, 0);
         }
         self.frames.clear();
@@ -36,10 +38,28 @@ impl Mail {
         self.outcomes.clear();
     }
 
-    /// The last of `frames` is for this radio.
-    pub(super) fn note(&mut self, radio: u32, power_mw: f32, quality: Quality) {
-        let frame = self.frames.len() as u32 - 1;
-        self.notes.push((radio, Hit { frame, power_mw }, quality));
+    /// The last of `frames` was received by this radio.
+    #[inline]
+    pub(super) fn note(&mut self, radio: u32, reception: &Reception) {
+        self.receivers.push(radio);
+        self.hits.push(Hit {
+            frame: self.frames.len() as u32 - 1,
+            power_mw: reception.power_mw,
+        });
+        self.qualities.push(Quality {
+            ln_success: reception.ln_success,
+            sinr: reception.sinr,
+        });
+    }
+
+    /// Sorts the packets by radio; those of a radio stay in the order of their frames.
+    fn sort(&mut self) {
+        let mut order: Vec<u32> = (0..self.receivers.len() as u32).collect();
+        order.sort_by_key(|&at| self.receivers[at as usize]);
+        self.hits = order.iter().map(|&at| self.hits[at as usize]).collect();
+        let qualities = order.iter().map(|&at| self.qualities[at as usize]);
+        self.qualities = qualities.collect();
+        self.receivers.sort_unstable();
     }
 
     /// Sorts everything, and visits each radio that finds something, at least once.
@@ -48,13 +68,10 @@ impl Mail {
         reports: &mut Vec<(RadioId, Outcome)>,
         mut visit: impl FnMut(RadioId),
     ) {
-        if !self.notes.is_sorted_by_key(|note| note.0) {
-            // Stable: the packets of a radio stay in the order of their frames.
-            self.notes.sort_by_key(|note| note.0);
+        if !self.receivers.is_sorted() {
+            self.sort();
         }
-        for (at, &(radio, hit, quality)) in (0..).zip(&self.notes) {
-            self.hits.push(hit);
-            self.qualities.push(quality);
+        for (at, &radio) in (0..).zip(&self.receivers) {
             let span = &mut self.spans[radio as usize];
             if span.1 == 0 {
                 span.0 = at;
