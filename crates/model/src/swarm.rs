@@ -433,6 +433,7 @@ impl Swarm {
             round.visit(*id);
         }
         self.listeners = listeners;
+        self.physics.survey(now);
         self.medium_nanos += start.map_or(0, crate::watch::nanos_since);
         if let (true, Some(watch)) = (due, &self.packet_watch) {
             let still = Still { swarm: self, now };
@@ -471,6 +472,19 @@ impl Poses for Still<'_> {
         body.map_or(Position::ZERO, |b| {
             Position::from_si(self.swarm.physics.motion(b).position(self.now))
         })
+    }
+
+    fn positions(&self, owners: &[ModelId], positions: &mut Vec<Position>) {
+        let (bodies, physics) = (&self.swarm.bodies[..], &self.swarm.physics);
+        positions.extend(owners.iter().map(|owner| {
+            bodies[owner.index()].map_or(Position::ZERO, |body| {
+                Position::from_si(physics.motion(body).position(self.now))
+            })
+        }));
+    }
+
+    fn odometer(&self) -> Option<Length> {
+        self.swarm.physics.odometer(self.now).map(Length::si)
     }
 
     fn generation(&self) -> u64 {

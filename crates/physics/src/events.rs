@@ -187,12 +187,14 @@ impl Physics {
         self.reviews[id as usize] = SimTime::MAX;
         let motion = &mut self.motions[id as usize];
         if review_due(motion).is_some_and(|due| due <= t) {
+            let from = motion.position(t);
             if motion.support == Support::Sliding {
                 motion.slide(t);
             } else {
                 motion.carry(t);
             }
             motion.stamp = motion.stamp.wrapping_add(1);
+            self.odometer.changed(from, motion, t);
             self.tally.reviews += 1;
             self.predict_again(&[id], t);
         } else {
@@ -321,11 +323,13 @@ impl Physics {
         // The first of a pair has the lower index.
         let (before, from_b) = self.motions.split_at_mut(b as usize);
         let (motion_a, motion_b) = (&mut before[a as usize], &mut from_b[0]);
+        let from = [motion_a.position(t), motion_b.position(t)];
         let impact = response::collide(motion_a, motion_b, spot, material, t);
-        for motion in [motion_a, motion_b] {
+        for (motion, from) in [motion_a, motion_b].into_iter().zip(from) {
             if motion.inverse_mass > 0.0 {
                 motion.stamp = motion.stamp.wrapping_add(1);
             }
+            self.odometer.changed(from, motion, t);
         }
         impact
     }
@@ -335,8 +339,10 @@ impl Physics {
         let material = ground.against(&self.material(a));
         let stands = self.form(a).ball().is_some() && self.duties[a as usize] & duty::ROLLS == 0;
         let motion = &mut self.motions[a as usize];
+        let from = motion.position(t);
         let impact = response::collide_ground(motion, spot, material, stands, t);
         motion.stamp = motion.stamp.wrapping_add(1);
+        self.odometer.changed(from, motion, t);
         impact
     }
 

@@ -81,6 +81,7 @@ mod kind;
 pub mod limits;
 mod lists;
 mod motion;
+mod odometer;
 mod physics;
 mod predict;
 mod queries;

@@ -10,6 +10,7 @@ use crate::kind::Kind;
 use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
+use crate::odometer::Odometer;
 use crate::queue::{GROUND, Queue};
 use crate::shape::Shape;
 use crate::shape::form::Form;
@@ -246,6 +247,8 @@ pub struct Physics {
     pub(crate) pool: Option<Arc<ThreadPool>>,
     /// Room for who follows a new segment after a step.
     pub(crate) stepped: Vec<u32>,
+    /// How far anybody may have come.
+    pub(crate) odometer: Odometer,
     /// Room for what is foreseen.
     pub(crate) foreseen: Foreseen,
     /// Until when lists and predictions are complete; [`SimTime::MAX`] while nothing moves that could
@@ -319,6 +322,7 @@ impl Physics {
             uses_islands: config.contact_model == ContactModel::Islands,
             pool: None,
             stepped: Vec::new(),
+            odometer: Odometer::default(),
             foreseen: Foreseen::default(),
             horizon: SimTime::MAX,
             quiet_until: SimTime::ZERO,
@@ -494,6 +498,7 @@ impl Physics {
             motion.radius == place.radius,
             "a segment of another body: {motion:?}"
         );
+        self.odometer.replaced(place, &motion, now);
         let stamp = place.stamp.wrapping_add(1);
         *place = motion;
         place.stamp = stamp;

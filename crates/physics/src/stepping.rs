@@ -65,7 +65,9 @@ impl Physics {
             let motion = &mut motions[member.id as usize];
             if !driven(motion) {
                 let sweep = member.sweep(motion, t);
+                let from = motion.position(t);
                 motion.release(t, sweep.v, sweep.w);
+                self.odometer.changed(from, motion, t);
                 motion.stamp = motion.stamp.wrapping_add(1);
             }
             if let (Some(world), Some(body)) = (world.as_mut(), member.body) {
@@ -154,6 +156,7 @@ impl Physics {
         self.drill(island, &mut world, &touches);
         for (member, before) in island.members.iter_mut().zip(&before) {
             let motion = &mut self.motions[member.id as usize];
+            let from = motion.position(t);
             let led = Step {
                 world: &world,
                 span: [t, end],
@@ -162,6 +165,7 @@ impl Physics {
             }
             .lead(member, motion);
             if led {
+                self.odometer.changed(from, motion, t);
                 changed.push(member.id);
             }
             island.settling |= member.resting;

@@ -9,6 +9,7 @@ mod flight;
 mod impact;
 mod invariance;
 mod islands;
+mod odometer;
 mod original;
 mod pairs;
 mod piles;
