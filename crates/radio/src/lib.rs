@@ -77,6 +77,7 @@ pub mod counters;
 pub mod error_model;
 mod fast;
 pub mod frame;
+mod grid;
 pub mod ieee802154;
 pub mod inbox;
 pub mod ledger;
@@ -107,4 +108,4 @@ pub use propagation::{
 pub use radio::{Currents, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;
 pub use shadowing::Shadowing;
-pub use simple::{SimpleConfig, SimpleMedium};
+pub use simple::{Delivery, DeliveryCurve, GilbertElliott, SimpleConfig, SimpleMedium};

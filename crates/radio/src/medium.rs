@@ -8,7 +8,7 @@ use crate::ledger::Usage;
 use crate::radio::{RadioError, RadioId, RadioSpec, RadioState};
 use crate::scratch::Scratch;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Current, Decibels, Frequency, Pose, Position, PowerLevel};
+use simbeeotic_units::{Current, Decibels, Frequency, Length, Pose, Position, PowerLevel};
 
 /// Where platforms are at the instant that is being run.
 ///
@@ -34,6 +34,13 @@ pub trait Poses {
     /// depend on which end is which.
     fn obstruction(&self, _ends: [(ModelId, Position); 2], _frequency: Frequency) -> Decibels {
         Decibels::ZERO
+    }
+
+    /// A count that grows at least as fast as any platform moves: between two instants nobody came
+    /// farther, on a straight line, than the difference of the readings; jumps count with their width.
+    /// `None`: not known, now or ever; then nothing is taken over from one instant to the next.
+    fn odometer(&self) -> Option<Length> {
+        None
     }
 
     /// A number that changes whenever a pose jumps within one instant (a teleport). While it stays

@@ -21,17 +21,23 @@ impl Fidelity for Simple {
     type Params = SimpleParams;
 
     fn medium(_params: SimpleParams, air: &Air) -> Result<Option<Box<dyn Medium>>, BuildError> {
-        let mut config = SimpleConfig {
-            seed: air.seed,
-            propagation: Arc::clone(&air.propagation),
-            ..SimpleConfig::default()
-        };
-        if let Some(range) = air.range_limit {
-            config.range_limit = range;
-        }
-        if let Some(noise) = air.noise_floor {
-            (config.noise_floor, config.noise_sigma) = (noise.mean, noise.sigma);
-        }
-        Ok(Some(Box::new(SimpleMedium::new(config)?)))
+        Ok(Some(Box::new(SimpleMedium::new(config(air))?)))
     }
+}
+
+/// What `[channel]` says of a medium without air time.
+pub(super) fn config(air: &Air) -> SimpleConfig {
+    let mut config = SimpleConfig {
+        seed: air.seed,
+        propagation: Arc::clone(&air.propagation),
+        walls: air.walls,
+        ..SimpleConfig::default()
+    };
+    if let Some(range) = air.range_limit {
+        config.range_limit = range;
+    }
+    if let Some(noise) = air.noise_floor {
+        (config.noise_floor, config.noise_sigma) = (noise.mean, noise.sigma);
+    }
+    config
 }

@@ -1,9 +1,11 @@
 //! One channel: the radios tuned to it, and the frames on it in this round. All in columns.
 
+use super::near::{self, Near};
 use super::pair::{Listeners, Reach};
 use crate::antenna::Antenna;
 use crate::channel::Channel;
 use crate::frame::Frame;
+use crate::grid::{Grid, share_within, widths_m};
 use crate::inbox::Hit;
 use crate::medium::Poses;
 use crate::radio::RadioSpec;
@@ -26,6 +28,10 @@ pub(super) struct Band {
     /// Instant and generation of the positions in `members`.
     posed: Option<(SimTime, u64)>,
     positions: Vec<Position>,
+    /// The members by place, in rounds by frame.
+    pub(super) near: Near,
+    /// Whether rounds by frame go by it.
+    pub(super) by_grid: bool,
 }
 
 /// How the receptions of a round are found.
@@ -33,9 +39,9 @@ pub(super) struct Band {
 pub(super) enum Mode {
     /// No frames.
     Quiet,
-    /// Few frames: frame by frame when the round opens.
-    ByFrame,
-    /// Many frames: by each receiver for itself, in parallel.
+    /// When the round opens: frame by frame if they are few, else with a grid.
+    Delivered,
+    /// Many frames in a narrow band: by each receiver for itself, in parallel.
     ByReceiver,
 }
 
@@ -54,6 +60,8 @@ pub(super) struct Members {
     pub(super) directed: Vec<Option<Arc<dyn Antenna>>>,
     /// Rotations of directions from the world's frame to the antenna's, where it matters.
     pub(super) antenna_from_world: Vec<Mat3>,
+    /// How far an antenna may be off its platform's centre, m.
+    pub(super) offset_m: f64,
     /// Whether some antenna may be off its platform's centre, or have a direction.
     any_mounted: bool,
     /// Whether `directed` may hold an antenna.
@@ -87,6 +95,11 @@ pub(super) struct Air {
     pub(super) alike: bool,
     /// Whether a frame is for somebody in particular.
     pub(super) addressed: bool,
+    /// If the columns are sorted into a grid: which frame each entry is.
+    pub(super) order: Vec<u32>,
+    pub(super) grid: Grid,
+    /// How far to look in it, m.
+    pub(super) reach_m: f64,
 }
 
 /// Receptions of a round by frame, sorted by row.
@@ -110,6 +123,8 @@ impl Band {
             delivered: Delivered::default(),
             posed: None,
             positions: Vec::new(),
+            near: Near::default(),
+            by_grid: false,
         }
     }
 
@@ -123,6 +138,7 @@ impl Band {
         awake: bool,
     ) -> u32 {
         self.posed = None;
+        self.near.forget();
         self.delivered.spans.push((0, 0));
         self.members.push(radio, spec, curve, salt, awake)
     }
@@ -132,6 +148,7 @@ impl Band {
     pub(super) fn leave(&mut self, row: u32) -> (Option<u32>, Reach) {
         self.clear();
         self.posed = None;
+        self.near.forget();
         self.delivered.spans.pop();
         self.members.remove(row as usize)
     }
@@ -150,15 +167,78 @@ impl Band {
         }
     }
 
+    /// From how many frames on each receiver looks for itself, if it is `few` in a narrow band.
+    pub(super) fn by_receiver_from(&self, few: usize) -> usize {
+        if self.near.wide() {
+            // A frame costs no pass over all members then, but looking for oneself does.
+            few.saturating_mul((self.members.owners.len() / 128).max(1))
+        } else {
+            few
+        }
+    }
+
+    /// Brings frames, and those members that they may reach, to where they are at `now`: by grid if the
+    /// band is so wide that a frame reaches less than `share` of it.
+    pub(super) fn place_by_frame(
+        &mut self,
+        now: SimTime,
+        poses: &dyn Poses,
+        range_m: f64,
+        share: f64,
+    ) {
+        let count = self.members.owners.len();
+        if !self.near.review_due(now) && self.near.wide() && self.near.holds(now, poses, count) {
+            self.by_grid = true;
+            // Some members will be placed, others not.
+            self.posed = None;
+            self.locate_frames_of(poses);
+            return;
+        }
+        self.place(now, poses, range_m, share);
+        self.by_grid = self.near.wide();
+        if self.by_grid && !self.near.holds(now, poses, count) {
+            self.near.build(now, poses, &self.members, range_m);
+        }
+    }
+
+    /// Brings members and frames to where they are at `now`, the frames sorted into a grid if the band
+    /// is so wide that each member is reached by less than `share` of them.
+    pub(super) fn place_by_receiver(
+        &mut self,
+        now: SimTime,
+        poses: &dyn Poses,
+        range_m: f64,
+        share: f64,
+    ) {
+        self.place(now, poses, range_m, share);
+        let widths = widths_m(&self.air.enu_m);
+        if range_m.is_finite() && share_within(range_m, widths) < share {
+            self.air.sort(widths, range_m);
+        }
+    }
+
+    /// Brings the senders to where they are now, and the frames with them.
+    fn locate_frames_of(&mut self, poses: &dyn Poses) {
+        for &row in &self.air.rows {
+            let position = poses.position(self.members.owners[row as usize]);
+            let place = self.members.place_row(row as usize, position, poses);
+            (0..3).for_each(|axis| self.members.places[axis][row as usize] = place[axis]);
+        }
+        self.locate_frames();
+    }
+
     /// Brings members and frames to where they are at `now`. Sleepers are nowhere: no distance to
     /// NaN is within range.
-    pub(super) fn place(&mut self, now: SimTime, poses: &dyn Poses) {
+    fn place(&mut self, now: SimTime, poses: &dyn Poses, range_m: f64, share: f64) {
         let at = Some((now, poses.generation()));
         if self.posed != at {
             self.posed = at;
             self.positions.clear();
             poses.positions(&self.members.owners, &mut self.positions);
             self.members.place(&self.positions, poses);
+        }
+        if self.near.review_due(now) {
+            self.near.review(now, &self.members.places, range_m, share);
         }
         self.locate_frames();
     }
@@ -213,6 +293,7 @@ impl Members {
         self.mounts.push(spec.mount);
         self.places.iter_mut().for_each(|axis| axis.push(f32::NAN));
         self.any_mounted |= uniform.is_none() || spec.mount.position != Mount::IDENTITY.position;
+        self.offset_m = self.offset_m.max(spec.mount.position.si().length());
         self.directed
             .push(uniform.is_none().then(|| Arc::clone(&spec.antenna)));
         self.any_directed |= uniform.is_none();
@@ -249,21 +330,37 @@ impl Members {
         (self.columns.radios.get(row).copied(), reach)
     }
 
+    /// Where the antenna in `row` is, if its platform is at `position`; turns it, if that matters.
+    pub(super) fn place_row(
+        &mut self,
+        row: usize,
+        position: Position,
+        poses: &dyn Poses,
+    ) -> [f32; 3] {
+        if !self.any_mounted {
+            return position.si().as_vec3().to_array();
+        }
+        let mount = self.mounts[row];
+        let mut place = position;
+        if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
+            let antenna = poses.pose(self.owners[row]) * mount;
+            let world_from_antenna = antenna.attitude.matrix();
+            self.antenna_from_world[row] = world_from_antenna.transpose().as_mat3();
+            place = antenna.position;
+        }
+        let place = place.si().as_vec3().to_array();
+        (0..3).for_each(|axis| self.places[axis][row] = place[axis]);
+        place
+    }
+
     fn place(&mut self, positions: &[Position], poses: &dyn Poses) {
         let [east, north, up] = &mut self.places;
         for (row, position) in positions.iter().enumerate().take(self.owners.len()) {
             [east[row], north[row], up[row]] = position.si().as_vec3().to_array();
         }
         if self.any_mounted {
-            for row in 0..self.owners.len() {
-                let mount = self.mounts[row];
-                if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
-                    let antenna = poses.pose(self.owners[row]) * mount;
-                    let world_from_antenna = antenna.attitude.matrix();
-                    self.antenna_from_world[row] = world_from_antenna.transpose().as_mat3();
-                    let place = antenna.position.si().as_vec3().to_array();
-                    (0..3).for_each(|axis| self.places[axis][row] = place[axis]);
-                }
+            for (row, position) in positions.iter().enumerate() {
+                self.place_row(row, *position, poses);
             }
         }
         for (column, places) in self.columns.enu_m.iter_mut().zip(&self.places) {
@@ -291,11 +388,33 @@ impl Air {
         self.rows.clear();
         self.lengths.clear();
         self.addressed = false;
+        self.order.clear();
+    }
+
+    /// Sorts the columns into a grid; the frames themselves stay as they are.
+    fn sort(&mut self, widths_m: [f64; 3], range_m: f64) {
+        fn sorted<T: Copy>(column: &mut Vec<T>, order: &[u32]) {
+            *column = order.iter().map(|&frame| column[frame as usize]).collect();
+        }
+        self.reach_m = near::with_rounding(range_m, near::most_m(&self.enu_m));
+        self.grid
+            .build(&self.enu_m, widths_m, near::cell_m(range_m));
+        self.order.extend_from_slice(self.grid.order());
+        let order = &self.order[..];
+        self.enu_m.iter_mut().for_each(|axis| sorted(axis, order));
+        sorted(&mut self.eirp_mw, order);
+        sorted(&mut self.keys, order);
+        sorted(&mut self.keys_low, order);
+        sorted(&mut self.keys_high, order);
+        sorted(&mut self.radios, order);
+        sorted(&mut self.radio_keys, order);
+        sorted(&mut self.rows, order);
+        sorted(&mut self.lengths, order);
     }
 }
 
 impl Delivered {
-    fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         for &row in &self.rows {
             self.spans[row as usize] = (0, 0);
         }
@@ -311,6 +430,22 @@ impl Delivered {
             .extend(receptions.iter().map(|&hit| Hit { frame, ..hit }));
     }
 
+    /// Keeps what the receiver in `row` heard, in the order of the frames.
+    pub(super) fn give(&mut self, row: u32, receptions: &[Hit]) {
+        if !receptions.is_empty() {
+            self.spans[row as usize] = (self.hits.len() as u32, receptions.len() as u32);
+            self.hits.extend_from_slice(receptions);
+            self.rows.push(row);
+        }
+    }
+
+    /// Brings the rows with hits into their order.
+    pub(super) fn list_rows(&mut self) {
+        self.rows.clear();
+        let rows = (0..).zip(&self.spans).filter(|(_, span)| span.1 > 0);
+        self.rows.extend(rows.map(|(row, _)| row));
+    }
+
     /// Sorts what was noted by row; within a row by frame.
     pub(super) fn sort(&mut self) {
         // One frame: already sorted, one hit a row.
@@ -319,6 +454,10 @@ impl Delivered {
                 self.spans[row as usize] = (first, 1);
             }
             return;
+        }
+        // Few: not worth a look at all rows.
+        if self.hits.len() < self.spans.len() / 8 {
+            return self.sort_few();
         }
         for &row in &self.rows {
             self.spans[row as usize].1 += 1;
@@ -336,9 +475,27 @@ impl Delivered {
             span.1 += 1;
         }
         self.hits = sorted;
-        let rows = (0..self.spans.len() as u32).filter(|&row| self.spans[row as usize].1 > 0);
+        self.list_rows();
+    }
+
+    fn sort_few(&mut self) {
+        let mut noted: Vec<(u32, Hit)> = self
+            .rows
+            .iter()
+            .copied()
+            .zip(self.hits.iter().copied())
+            .collect();
+        noted.sort_unstable_by_key(|(row, hit)| (*row, hit.frame));
         self.rows.clear();
-        self.rows.extend(rows);
+        for (place, (row, hit)) in noted.into_iter().enumerate() {
+            self.hits[place] = hit;
+            let span = &mut self.spans[row as usize];
+            if span.1 == 0 {
+                span.0 = place as u32;
+                self.rows.push(row);
+            }
+            span.1 += 1;
+        }
     }
 
     pub(super) fn hits(&self, row: u32) -> &[Hit] {

@@ -2,7 +2,7 @@
 
 use super::SimpleConfig;
 use super::band::{Band, Mode};
-use super::pair::{Between, listen, pick, tell};
+use super::chance::Chances;
 use super::radio::{Heard, Radio};
 use super::success::{Curve, Noise};
 use crate::channel::Channel;
@@ -11,9 +11,8 @@ use crate::frame::{Frame, Outcome, Request};
 use crate::inbox::{Inbox, Qualities};
 use crate::ledger::Usage;
 use crate::medium::{Command, Medium, Poses};
-use crate::propagation::Propagation;
 use crate::radio::{RadioError, RadioId, RadioSpec, RadioState};
-use crate::scratch::{ROW, Scratch};
+use crate::scratch::Scratch;
 use simbeeotic_kernel::rng::{draw_u64, path_key};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_units::PowerLevel;
@@ -23,14 +22,16 @@ use std::sync::Arc;
 /// The medium of the paper: see the [module](crate::simple).
 #[derive(Debug)]
 pub struct SimpleMedium {
-    config: SimpleConfig,
+    pub(super) config: SimpleConfig,
     /// The seed of this medium's draws.
     luck: u64,
     specs: Vec<RadioSpec>,
-    radios: Vec<Radio>,
+    pub(super) radios: Vec<Radio>,
     keys: BTreeSet<u64>,
-    bands: Vec<Band>,
-    curves: Vec<Curve>,
+    pub(super) bands: Vec<Band>,
+    /// If chance goes by distance.
+    pub(super) chances: Option<Chances>,
+    pub(super) curves: Vec<Curve>,
     /// Lengths of frames that came up, bytes on the air.
     lengths: Vec<usize>,
     /// Frames for the next round, and outcomes.
@@ -40,11 +41,11 @@ pub struct SimpleMedium {
     /// Changes of channel that wait for the frames sent before them.
     tunings: Vec<(RadioId, Channel)>,
     /// The present round and its outcomes, by radio.
-    now: SimTime,
-    round: u64,
+    pub(super) now: SimTime,
+    pub(super) round: u64,
     reported: Vec<RadioId>,
     outcomes: Vec<Outcome>,
-    scratch: Scratch,
+    pub(super) scratch: Scratch,
 }
 
 impl SimpleMedium {
@@ -54,8 +55,10 @@ impl SimpleMedium {
     /// Noise or range that make no sense.
     pub fn new(config: SimpleConfig) -> Result<Self, RadioError> {
         config.check()?;
+        let links = draw_u64(config.seed, path_key("radio"), path_key("links"));
         Ok(Self {
             luck: draw_u64(config.seed, path_key("radio"), path_key("simple")),
+            chances: Chances::new(&config.delivery, links),
             config,
             specs: Vec::new(),
             radios: Vec::new(),
@@ -175,134 +178,6 @@ impl SimpleMedium {
         let first = self.reported.partition_point(|&r| r < radio);
         let count = self.reported[first..].partition_point(|&r| r == radio);
         &self.outcomes[first..first + count]
-    }
-
-    /// What a radio hears of the frames in its band, with the hits in `scratch`. Stops after the
-    /// first row with a packet for the owner if `first_only`.
-    fn hear(&self, radio: &Radio, scratch: &mut Scratch, first_only: bool) -> Heard {
-        let band = &self.bands[radio.band as usize];
-        let between = between(
-            &self.config,
-            self.config.propagation.as_ref(),
-            band,
-            self.now,
-        );
-        let (members, air, me) = (&band.members, &band.air, radio.row as usize);
-        let curve = &self.curves[members.curves[me] as usize];
-        let step = if first_only { ROW / 4 } else { ROW };
-
-        scratch.hits.clear();
-        let mut heard = Heard::default();
-        let mut first = 0;
-        while first < air.frames.len() {
-            let end = air.frames.len().min(first + step);
-            let from = scratch.hits.len();
-            let reach = listen(&mut scratch.row, members, me, air, first..end, &between);
-            heard.reach.in_range += reach.in_range;
-            heard.reach.audible += reach.audible;
-            if air.alike {
-                let table = curve.table(air.lengths[0]);
-                pick(scratch, end - first, first, |_, slot| table[slot]);
-            } else {
-                let lengths = &air.lengths[first..end];
-                pick(scratch, end - first, first, |j, slot| {
-                    curve.table(lengths[j])[slot]
-                });
-            }
-            let kept = heard.sort_out(air, members.owners[me], &mut scratch.hits[from..]);
-            scratch.hits.truncate(from + kept);
-            if first_only && !scratch.hits.is_empty() {
-                break;
-            }
-            first = end;
-        }
-        heard
-    }
-
-    /// Finds all receptions of a band, frame by frame.
-    fn deliver_by_frame(&mut self, band: usize, owners: &mut Vec<ModelId>) {
-        let band = &mut self.bands[band];
-        let propagation = Arc::clone(&self.config.propagation);
-        let between = between(&self.config, propagation.as_ref(), band, self.now);
-        let (members, air, scratch) = (&mut band.members, &band.air, &mut self.scratch);
-        let count = members.owners.len();
-        for frame in 0..air.frames.len() {
-            let mut first = 0;
-            while first < count {
-                let end = count.min(first + ROW);
-                scratch.hits.clear();
-                tell(&mut scratch.row, members, first..end, air, frame, &between);
-                let length = air.lengths[frame];
-                if members.one_curve {
-                    let table = self.curves[members.curves[0] as usize].table(length);
-                    pick(scratch, end - first, first, |_, slot| table[slot]);
-                } else {
-                    let (curves, all) = (&members.curves[first..end], &self.curves);
-                    pick(scratch, end - first, first, |j, slot| {
-                        all[curves[j] as usize].table(length)[slot]
-                    });
-                }
-                band.delivered.note(frame as u32, &scratch.hits);
-                first = end;
-            }
-        }
-        band.delivered.sort();
-
-        if !air.addressed {
-            owners.extend(
-                band.delivered
-                    .rows
-                    .iter()
-                    .map(|&row| members.owners[row as usize]),
-            );
-            return;
-        }
-        // Whoever hears nothing but what is for others will not collect: it is booked here.
-        for index in 0..band.delivered.rows.len() {
-            let row = band.delivered.rows[index];
-            let owner = members.owners[row as usize];
-            let mut heard = Heard::default();
-            let kept = heard.sort_out(air, owner, band.delivered.hits_mut(row));
-            band.delivered.truncate(row, kept);
-            let radio = members.columns.radios[row as usize];
-            self.radios[radio as usize].book(self.round, self.now, &heard);
-            if kept > 0 {
-                owners.push(owner);
-            }
-        }
-    }
-
-    /// Finds who of a band will receive anything; they look for themselves later. Who will not is
-    /// booked here.
-    fn find_receivers(&mut self, band: usize, owners: &mut Vec<ModelId>) {
-        let mut scratch = std::mem::take(&mut self.scratch);
-        let members = &self.bands[band].members;
-        for row in (0..members.owners.len()).filter(|&row| members.awake[row]) {
-            let radio = &self.radios[members.columns.radios[row] as usize];
-            let heard = self.hear(radio, &mut scratch, true);
-            if scratch.hits.is_empty() {
-                radio.book(self.round, self.now, &heard);
-            } else {
-                owners.push(members.owners[row]);
-            }
-        }
-        self.scratch = scratch;
-    }
-}
-
-fn between<'a>(
-    config: &SimpleConfig,
-    propagation: &'a dyn Propagation,
-    band: &Band,
-    now: SimTime,
-) -> Between<'a> {
-    let range_m = config.range_limit.metres() as f32;
-    Between {
-        propagation,
-        frequency: band.channel.centre,
-        time: now,
-        range_squared_m2: range_m * range_m,
-        directed: band.members.any_directed,
     }
 }
 
@@ -429,13 +304,19 @@ impl Medium for SimpleMedium {
                 if frames == 0 {
                     continue;
                 }
-                band.place(now, poses);
-                if frames < self.config.by_receiver_from {
-                    band.mode = Mode::ByFrame;
-                    self.deliver_by_frame(index, owners);
+                let (range_m, share) = (self.config.range_limit.metres(), self.config.grid_below);
+                if frames < band.by_receiver_from(self.config.by_receiver_from) {
+                    band.mode = Mode::Delivered;
+                    band.place_by_frame(now, poses, range_m, share);
+                    self.deliver_by_frame(index, poses, owners);
                 } else {
                     band.mode = Mode::ByReceiver;
-                    self.find_receivers(index, owners);
+                    band.place_by_receiver(now, poses, range_m, share);
+                    if !band.air.order.is_empty() && self.deliver_by_grid(index, poses, owners) {
+                        self.bands[index].mode = Mode::Delivered;
+                    } else {
+                        self.find_receivers(index, poses, owners);
+                    }
                 }
             }
         }
@@ -448,14 +329,14 @@ impl Medium for SimpleMedium {
     fn collect<'a>(
         &'a self,
         id: RadioId,
-        _poses: &dyn Poses,
+        poses: &dyn Poses,
         scratch: &'a mut Scratch,
     ) -> Inbox<'a> {
         let radio = &self.radios[id.index()];
         let band = &self.bands[radio.band as usize];
         let hits = match band.mode {
             Mode::Quiet => &[],
-            Mode::ByFrame => {
+            Mode::Delivered => {
                 let hits = band.delivered.hits(radio.row);
                 let mut heard = Heard::default();
                 heard.take_stock(&band.air, hits);
@@ -463,7 +344,7 @@ impl Medium for SimpleMedium {
                 hits
             }
             Mode::ByReceiver => {
-                let heard = self.hear(radio, scratch, false);
+                let heard = self.hear(radio, poses, scratch, false);
                 radio.book(self.round, self.now, &heard);
                 &scratch.hits
             }

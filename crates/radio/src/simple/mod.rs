@@ -32,9 +32,12 @@
 //! reception goes through the table, which is at most 0.017 dB off.
 
 mod band;
+mod chance;
 mod medium;
+mod near;
 mod pair;
 mod radio;
+mod receive;
 mod success;
 
 use crate::propagation::{FreeSpace, Propagation};
@@ -42,6 +45,7 @@ use crate::radio::RadioError;
 use simbeeotic_units::{Decibels, Length, PowerLevel};
 use std::sync::Arc;
 
+pub use chance::{Delivery, DeliveryCurve, GilbertElliott};
 pub use medium::SimpleMedium;
 
 /// Settings of the [`SimpleMedium`].
@@ -58,6 +62,14 @@ pub struct SimpleConfig {
     pub noise_sigma: Decibels,
     /// What the space between the antennas does.
     pub propagation: Arc<dyn Propagation>,
+    /// What decides whether a frame within range is received.
+    pub delivery: Delivery,
+    /// Whether walls and bodies between two antennas take their share of the power, as
+    /// [`Poses::obstruction`](crate::Poses::obstruction) says.
+    pub walls: bool,
+    /// A band is searched by grid if a frame reaches less than this share of it: 0 is never, infinity
+    /// always, but for an infinite range. A matter of speed only: results are the same.
+    pub grid_below: f64,
     /// From how many frames in one round on each receiver looks for itself, in parallel. A matter of
     /// speed only: results are the same.
     pub by_receiver_from: usize,
@@ -72,6 +84,9 @@ impl Default for SimpleConfig {
             noise_floor: PowerLevel::from_dbm(-100.0),
             noise_sigma: Decibels::from_db(10.0),
             propagation: Arc::new(FreeSpace),
+            delivery: Delivery::Noise,
+            walls: false,
+            grid_below: 0.2,
             by_receiver_from: 16,
         }
     }
@@ -100,6 +115,9 @@ impl SimpleConfig {
         if !(0.0..=100.0).contains(&sigma.db()) {
             return bad("noise sigma", sigma.to_string(), "from 0 dB to 100 dB");
         }
-        Ok(())
+        match &self.delivery {
+            Delivery::Switching(channel) => channel.check(),
+            Delivery::Noise | Delivery::Chance(_) => Ok(()),
+        }
     }
 }

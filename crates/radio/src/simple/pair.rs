@@ -6,14 +6,15 @@
 //! Both kinds give the same bits for the same pair.
 
 use super::band::{Air, Members};
-use super::success::{SLOTS, slot};
+use super::success::{LEAST, SLOTS, slot};
 use crate::inbox::Hit;
+use crate::medium::Poses;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::scratch::{ROW, Row, Scratch};
-use glam::Vec3;
-use simbeeotic_kernel::SimTime;
+use glam::{DVec3, Vec3};
 use simbeeotic_kernel::rng::draw_u32;
-use simbeeotic_units::Frequency;
+use simbeeotic_kernel::{ModelId, SimTime};
+use simbeeotic_units::{Frequency, Position};
 use std::ops::Range;
 
 /// The numbers of many receivers, a column each.
@@ -30,8 +31,36 @@ pub(super) struct Listeners {
     pub(super) salts: Vec<u32>,
 }
 
+impl Listeners {
+    pub(super) fn clear(&mut self) {
+        self.enu_m.iter_mut().for_each(Vec::clear);
+        self.radios.clear();
+        self.radio_keys.clear();
+        self.gains.clear();
+        self.sensitivities_mw.clear();
+        self.salts.clear();
+    }
+
+    /// Adds what `other` has at `at`, at another place.
+    #[inline]
+    pub(super) fn push_copy(&mut self, other: &Self, at: usize, place: [f32; 3]) {
+        for (axis, x) in self.enu_m.iter_mut().zip(place) {
+            axis.push(x);
+        }
+        self.radios.push(other.radios[at]);
+        self.radio_keys.push(other.radio_keys[at]);
+        self.gains.push(other.gains[at]);
+        self.sensitivities_mw.push(other.sensitivities_mw[at]);
+        self.salts.push(other.salts[at]);
+    }
+}
+
 /// What is the same for all pairs of a band and round.
 pub(super) struct Between<'a> {
+    /// Whom to ask for what stands between two antennas, if that counts.
+    pub(super) walls: Option<&'a dyn Poses>,
+    /// If chance goes by distance: what makes a place in a table of the square of the distance, 1/m².
+    pub(super) per_m2: Option<f32>,
     pub(super) propagation: &'a dyn Propagation,
     pub(super) frequency: Frequency,
     pub(super) time: SimTime,
@@ -138,8 +167,19 @@ pub(super) fn listen(
             *power *= directed_gain(members, air.rows[range.start + j] as usize, me);
         }
     }
+    let sensitivity_mw = between.least_mw(c.sensitivities_mw[me]);
+    if between.walls.is_some() {
+        let audible = powers.iter_mut().enumerate();
+        for (j, power) in audible.filter(|(_, power)| **power >= sensitivity_mw) {
+            let tx = (
+                members.owners[air.rows[range.start + j] as usize],
+                [x[j], y[j], z[j]],
+            );
+            *power *= between.walls_gain(tx, (members.owners[me], here));
+        }
+    }
 
-    let (sensitivity_mw, salt) = (c.sensitivities_mw[me], c.salts[me]);
+    let salt = c.salts[me];
     let (low, high) = (
         cut(&air.keys_low, &range, n),
         cut(&air.keys_high, &range, n),
@@ -153,23 +193,24 @@ pub(super) fn listen(
         slots[j] = slot(powers[j]);
         draws[j] = draw_u32(whole(low[j], high[j]), salt) | no_luck(audible);
     }
+    between.slots_by_distance(squares, slots);
     Reach {
         in_range: in_range.into(),
         audible: audibles.into(),
     }
 }
 
-/// One frame and some receivers: fills `row` with one entry for each member of `range`, which holds
-/// at most [`ROW`], and counts into the members' columns.
+/// One frame and some receivers: fills `row` with one entry for each of `range` of the columns `c`, which
+/// holds at most [`ROW`]. `who` tells the rows of these receivers among all members.
 pub(super) fn tell(
     row: &mut Row,
-    members: &mut Members,
+    members: &Members,
+    c: &Listeners,
     range: Range<usize>,
-    air: &Air,
-    frame: usize,
+    who: impl Fn(usize) -> usize,
+    (air, frame): (&Air, usize),
     between: &Between<'_>,
 ) {
-    let c = &members.columns;
     let n = range.len();
     let there = [
         air.enu_m[0][frame],
@@ -221,23 +262,96 @@ pub(super) fn tell(
             .enumerate()
             .filter(|(_, power)| **power > 0.0)
         {
-            *power *= directed_gain(members, air.rows[frame] as usize, range.start + j);
+            *power *= directed_gain(members, air.rows[frame] as usize, who(range.start + j));
         }
     }
 
     let sensitivities_mw = cut(&c.sensitivities_mw, &range, n);
+    if between.walls.is_some() {
+        let tx = (members.owners[air.rows[frame] as usize], there);
+        for (j, power) in powers.iter_mut().enumerate() {
+            if *power >= between.least_mw(sensitivities_mw[j]) {
+                let owner = members.owners[who(range.start + j)];
+                *power *= between.walls_gain(tx, (owner, [x[j], y[j], z[j]]));
+            }
+        }
+    }
+
     let salts = cut(&c.salts, &range, n);
-    let in_range = &mut members.in_range[range.clone()][..n];
-    let audibles = &mut members.audible[range][..n];
     let (slots, draws) = (&mut row.slots[..n], &mut row.draws[..n]);
     for j in 0..n {
-        in_range[j] += u64::from(squares[j] <= between.range_squared_m2);
-        audibles[j] += u64::from(powers[j] >= sensitivities_mw[j]);
-    }
-    for j in 0..n {
-        let audible = powers[j] >= sensitivities_mw[j];
+        let audible = powers[j] >= between.least_mw(sensitivities_mw[j]);
         slots[j] = slot(powers[j]);
         draws[j] = draw_u32(key, salts[j]) | no_luck(audible);
+    }
+    between.slots_by_distance(squares, slots);
+}
+
+/// Counts the first `n` entries of a row, all told the same frame, into the columns of the members in
+/// `range`.
+pub(super) fn count(row: &Row, members: &mut Members, range: Range<usize>, between: &Between<'_>) {
+    let n = range.len();
+    let (squares, powers) = (&row.squares_m2[..n], &row.powers_mw[..n]);
+    let sensitivities_mw = cut(&members.columns.sensitivities_mw, &range, n);
+    let in_range = &mut members.in_range[range.clone()][..n];
+    let audibles = &mut members.audible[range][..n];
+    for j in 0..n {
+        in_range[j] += u64::from(squares[j] <= between.range_squared_m2);
+        audibles[j] += u64::from(powers[j] >= between.least_mw(sensitivities_mw[j]));
+    }
+}
+
+/// The same for members here and there: `who` tells which.
+pub(super) fn count_scattered(
+    row: &Row,
+    members: &mut Members,
+    n: usize,
+    who: impl Fn(usize) -> usize,
+    between: &Between<'_>,
+) {
+    let (squares, powers) = (&row.squares_m2[..n], &row.powers_mw[..n]);
+    for j in 0..n {
+        if squares[j] <= between.range_squared_m2 {
+            let member = who(j);
+            members.in_range[member] += 1;
+            let least_mw = between.least_mw(members.columns.sensitivities_mw[member]);
+            members.audible[member] += u64::from(powers[j] >= least_mw);
+        }
+    }
+}
+
+impl Between<'_> {
+    /// The weakest power that counts for a receiver of this sensitivity.
+    #[inline(always)]
+    fn least_mw(&self, sensitivity_mw: f32) -> f32 {
+        if self.per_m2.is_some() {
+            // Any at all.
+            f32::from_bits(1)
+        } else {
+            sensitivity_mw
+        }
+    }
+
+    /// Where chance goes by distance: the places in its table.
+    fn slots_by_distance(&self, squares_m2: &[f32], slots: &mut [u32]) {
+        if let Some(per_m2) = self.per_m2 {
+            for (place, square_m2) in slots.iter_mut().zip(squares_m2) {
+                *place = slot((square_m2 * per_m2).max(LEAST));
+            }
+        }
+    }
+
+    /// What walls and bodies leave of the power between two antennas.
+    fn walls_gain(&self, tx: (ModelId, [f32; 3]), rx: (ModelId, [f32; 3])) -> f32 {
+        let end = |(owner, [x, y, z]): (ModelId, [f32; 3])| {
+            (
+                owner,
+                Position::from_si(DVec3::new(x.into(), y.into(), z.into())),
+            )
+        };
+        self.walls.map_or(1.0, |poses| {
+            (-poses.obstruction([end(tx), end(rx)], self.frequency)).ratio() as f32
+        })
     }
 }
 

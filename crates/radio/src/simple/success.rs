@@ -31,6 +31,9 @@ const REST_BITS: u32 = f32::MANTISSA_DIGITS - 1 - STEP_BITS;
 /// The number of the first slot among all f32: biased exponent of 2^-52, mantissa 0.
 const FIRST: u32 = (127 - 52) << STEP_BITS;
 
+/// The least number that has a slot.
+pub(super) const LEAST: f32 = f32::from_bits(FIRST << REST_BITS);
+
 /// The largest f32 below 2^12.
 const MOST_MW: f32 = 4096.0f32.next_down();
 
@@ -49,7 +52,7 @@ pub(super) fn slot(power_mw: f32) -> u32 {
 }
 
 /// The power in the middle of a slot, milliwatts.
-fn middle_mw(slot: usize) -> f64 {
+pub(super) fn middle(slot: usize) -> f64 {
     let bits = (FIRST + slot as u32) << REST_BITS | 1 << (REST_BITS - 1);
     f64::from(f32::from_bits(bits))
 }
@@ -122,7 +125,7 @@ fn tabulate(error: &dyn ErrorModel, noise: Noise, frame_bytes: usize) -> Box<Tab
     let chance = Folded::new(error, noise.sigma.db(), frame_bytes);
     let table: Vec<u32> = (0..SLOTS)
         .map(|slot| {
-            let power_dbm = PowerLevel::from_milliwatts(middle_mw(slot)).dbm();
+            let power_dbm = PowerLevel::from_milliwatts(middle(slot)).dbm();
             // A chance of 1 becomes 1 - 2^-32.
             (chance.at(power_dbm - mean_dbm) * 4_294_967_296.0) as u32
         })
@@ -246,7 +249,7 @@ mod tests {
             let power_mw = PowerLevel::from_dbm(power_dbm).milliwatts() as f32;
             let slot = slot(power_mw);
             assert!(slot == previous || slot == previous + 1, "{power_dbm} dBm");
-            let middle = PowerLevel::from_milliwatts(middle_mw(slot as usize));
+            let middle = PowerLevel::from_milliwatts(middle(slot as usize));
             assert!((middle.dbm() - power_dbm).abs() < 0.0175, "{power_dbm} dBm");
             previous = slot;
         }
@@ -259,8 +262,7 @@ mod tests {
         for snr_db in [3.0, 4.0, 5.0, 6.0, 7.0, 30.0] {
             let power_mw = PowerLevel::from_dbm(snr_db - 100.0).milliwatts() as f32;
             let slot = slot(power_mw) as usize;
-            let middle =
-                PowerLevel::from_milliwatts(middle_mw(slot)) - PowerLevel::from_dbm(-100.0);
+            let middle = PowerLevel::from_milliwatts(middle(slot)) - PowerLevel::from_dbm(-100.0);
             let chance = f64::from(table[slot]) / 4_294_967_296.0;
             assert!((chance - Cc2420Curve.packet_success(middle, 21)).abs() < 1e-9);
         }

@@ -3,14 +3,16 @@
 use crate::support::{self, Still, broadcast, medium, pairs, round, secs};
 use proptest::prelude::*;
 use simbeeotic_kernel::rng::path_key;
-use simbeeotic_kernel::{ModelId, Stream};
+use simbeeotic_kernel::{ModelId, SimTime, Stream};
 use simbeeotic_radio::{
-    Antenna, Channel, Command, ErrorModel, Isotropic, Medium, RadioId, RadioSpec, Request, Scratch,
-    SimpleConfig, SimpleMedium, cc2420,
+    Antenna, Channel, Command, Delivery, DeliveryCurve, ErrorModel, GilbertElliott, Isotropic,
+    Medium, Poses, RadioId, RadioSpec, Request, Scratch, SimpleConfig, SimpleMedium, cc2420,
 };
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::math::pow;
-use simbeeotic_units::{Angle, Attitude, Decibels, Mount, Offset, Pose, Position, PowerLevel, Yaw};
+use simbeeotic_units::{
+    Angle, Attitude, Decibels, Length, Mount, Offset, Pose, Position, PowerLevel, Time, Yaw,
+};
 use std::sync::Arc;
 
 /// Looks forward: 6 dB there, -6 dB behind.
@@ -31,6 +33,41 @@ impl ErrorModel for ByLength {
     fn packet_success(&self, snr: Decibels, frame_bytes: usize) -> f64 {
         let good = 1.0 - 1.0 / (1.0 + snr.ratio());
         pow(good, frame_bytes as f64)
+    }
+}
+
+/// By noise, by distance, by distance and state.
+fn delivery(kind: usize) -> Delivery {
+    let metres = Length::from_metres;
+    let falling = DeliveryCurve::new(&[(metres(5.0), 1.0), (metres(28.0), 0.1)]).unwrap();
+    match kind {
+        0 => Delivery::Noise,
+        1 => Delivery::Chance(falling),
+        _ => Delivery::Switching(GilbertElliott {
+            good_for: Time::from_secs(2.0),
+            bad_for: Time::from_secs(1.0),
+            good: falling,
+            bad: DeliveryCurve::level(0.05).unwrap(),
+            symmetric: false,
+        }),
+    }
+}
+
+/// Platforms that are elsewhere at each instant.
+struct Moving {
+    still: Still,
+    /// Whether it is known how far they may have come.
+    counted: bool,
+    odometer_m: f64,
+}
+
+impl Poses for Moving {
+    fn pose(&self, owner: ModelId) -> Pose {
+        self.still.pose(owner)
+    }
+
+    fn odometer(&self) -> Option<Length> {
+        self.counted.then(|| Length::from_metres(self.odometer_m))
     }
 }
 
@@ -116,13 +153,63 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn by_frame_and_by_receiver_agree_to_the_bit(seed: u64, n in 2..90usize, sends in 1..300usize) {
+    fn by_frame_and_by_receiver_agree_to_the_bit_with_a_grid_and_without(
+        seed: u64, n in 2..90usize, sends in 1..300usize, walls: bool, kind in 0..3usize,
+    ) {
         let (specs, poses) = population(seed, n);
-        let way = |by_receiver_from| {
-            let config = SimpleConfig { seed, by_receiver_from, ..config() };
+        let delivery = delivery(kind);
+        let way = |by_receiver_from, grid_below| {
+            let delivery = delivery.clone();
+            let config =
+                SimpleConfig { seed, by_receiver_from, grid_below, walls, delivery, ..config() };
             play(medium(config, specs.clone()), &poses, seed, sends)
         };
-        prop_assert_eq!(way(1), way(usize::MAX));
+        let plain = way(1, 0.0);
+        prop_assert_eq!(&way(usize::MAX, 0.0), &plain);
+        prop_assert_eq!(&way(1, f64::INFINITY), &plain);
+        prop_assert_eq!(&way(usize::MAX, f64::INFINITY), &plain);
+    }
+
+    #[test]
+    fn a_grid_of_an_earlier_instant_misses_nobody(
+        seed: u64, n in 2..150usize, counted: bool, step_m in 0.0..30.0f64, range_m in 1.0..60.0f64,
+    ) {
+        let (specs, poses) = population(seed, n);
+        let way = |grid_below| {
+            let range_limit = Length::from_metres(range_m);
+            let config = SimpleConfig { seed, range_limit, grid_below, ..config() };
+            let mut rng = Stream::new(seed, "way", "test");
+            let mut poses = Moving { still: Still(poses.0.clone()), counted, odometer_m: 0.0 };
+            let mut m = medium(config, specs.clone());
+            let mut seen = Vec::new();
+            for instant in 0..60 {
+                // Some stand, some drift, one is put far away.
+                let jump = rng.below(n as u64) as usize;
+                let mut most: f64 = 0.0;
+                for (bee, pose) in poses.still.0.iter_mut().enumerate() {
+                    let far = if bee == jump && instant % 10 == 9 { 500.0 } else { step_m };
+                    let step = far * rng.uniform() * rng.in_ball(1.0);
+                    pose.position = Position::from_si(pose.position.si() + step);
+                    let turn = Yaw::new(Angle::from_radians(rng.uniform_in(-3.0..3.0)));
+                    pose.attitude = Attitude::from_yaw(turn);
+                    most = most.max(step.length());
+                }
+                poses.odometer_m += most * (1.0 + 1e-12);
+                let now = SimTime::from_millis(7 * instant as u64);
+                let frames = if rng.bernoulli(0.1) { 20 } else { 1 };
+                for _ in 0..frames {
+                    m.submit(now, broadcast(rng.below(n as u64) as u32, b"x"));
+                }
+                seen.push(round(&mut m, now, &poses));
+                if rng.bernoulli(0.2) {
+                    let command = if rng.bernoulli(0.5) { Command::Sleep } else { Command::Wake };
+                    m.command(now, RadioId(rng.below(n as u64) as u32), command).unwrap();
+                }
+            }
+            let counters: Vec<_> = (0..n as u32).map(|radio| m.counters(RadioId(radio))).collect();
+            (seen, counters)
+        };
+        prop_assert_eq!(way(f64::INFINITY), way(0.0));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use simbeeotic_radio::{
     Medium, Poses, RadioId, RadioSpec, Request, Scratch, SimpleConfig, SimpleMedium, cc2420,
 };
 use simbeeotic_units::glam::DVec3;
-use simbeeotic_units::{Attitude, Decibels, Length, Pose, Position, PowerLevel};
+use simbeeotic_units::{Attitude, Decibels, Frequency, Length, Pose, Position, PowerLevel};
 use std::sync::Arc;
 
 /// Platforms at fixed poses.
@@ -22,6 +22,16 @@ impl Still {
 impl Poses for Still {
     fn pose(&self, owner: ModelId) -> Pose {
         self.0[owner.index()]
+    }
+
+    /// A wall at north = 0 that takes 6 dB; leaves take a little everywhere.
+    fn obstruction(&self, ends: [(ModelId, Position); 2], _: Frequency) -> Decibels {
+        let norths = ends.map(|(owner, position)| {
+            assert_eq!(position.si().is_finite(), owner.index() < self.0.len());
+            position.si().y
+        });
+        let through = norths[0].signum() != norths[1].signum();
+        Decibels::from_db(if through { 6.0 } else { 0.25 })
     }
 }
 
