@@ -1,6 +1,6 @@
 //! Each command once, and what it says to input that is wrong.
 
-use crate::program::{Program, shipped};
+use crate::program::{Call, Program, shipped};
 use simbeeotic::record::Recording;
 
 #[test]
@@ -346,6 +346,76 @@ fn the_bench_prints_figure_8_by_swarm_and_threads() {
         assert_eq!(rows[0]["trace_hash"], rows[1]["trace_hash"]);
         assert_eq!(rows[0]["received"], rows[1]["received"]);
     }
+}
+
+#[test]
+fn the_bench_tells_what_gets_through_on_a_topology() {
+    let program = Program::new();
+    let ball = shipped("crates/radio/tests/ns3/topologies/ball-020-1.csv");
+    let line = shipped("crates/radio/tests/ns3/topologies/line-060-1.csv");
+    let bench = ["bench", "radio", "--preset", "ns3", "--payload", "20"];
+    let radio = |rest: &[&str]| program.call(&[&bench, rest].concat());
+    let json =
+        |call: &Call| -> serde_json::Value { serde_json::from_str(&call.out).expect("JSON") };
+
+    let call = radio(&["--topology", &ball, "--duration", "10 s", "--json"]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let object = json(&call);
+    for (key, value) in [
+        ("requests", 200.0),
+        ("access_failures", 0.0),
+        ("transmitted", 200.0),
+        ("delivered", 200.0 * 19.0),
+        ("ratio", 1.0),
+    ] {
+        assert_eq!(object[key].as_f64(), Some(value), "{key}: {object}");
+    }
+    let delay = object["mean_access_delay_ms"].as_f64().expect("a number");
+    assert!((1.3..1.6).contains(&delay), "{delay}");
+
+    // Synchronous, the same nodes get in each other's way; another seed, other backoffs.
+    let both = ["--topology", &ball, "--topology", &line];
+    let rest = ["--duration", "10 s", "--synchronous", "--json", "--seed"];
+    let calls = ["-3", "4"].map(|seed| radio(&[&both[..], &rest, &[seed]].concat()));
+    let rows = calls.each_ref().map(json);
+    assert_eq!(rows[0][1]["topology"], "line-060-1");
+    let ratio = rows[0][0]["ratio"].as_f64().expect("a number");
+    assert!((0.4..0.6).contains(&ratio), "{ratio}");
+    assert_ne!(rows[0][0]["delivered"], rows[1][0]["delivered"]);
+
+    let call = radio(&["--topology", &ball, &line, "--duration", "1 s"]);
+    let lines: Vec<&str> = call.out.lines().collect();
+    assert!(lines[0].starts_with("topology") && lines[0].ends_with("delay ms"));
+    assert!(lines[2].starts_with("line-060-1"), "{}", call.out);
+}
+
+#[test]
+fn a_topology_that_is_wrong_is_told_by_file_and_line() {
+    let program = Program::new();
+    let here = |name: &str, text: &str| {
+        program.write(name, text);
+        program.path(name).display().to_string()
+    };
+    let one = here(
+        "one.csv",
+        "node,x_m,y_m,z_m,phase_s\n0,0,0,0,0\n0,1,far,0,2\n",
+    );
+    let two = here("two.csv", "node,x_m,y_m,z_m\n0,0,0,0\n1,0,0,0\n");
+    let none = program.path("none.csv").display().to_string();
+    let call = program.call(&["bench", "radio", "--topology", &one, &two, &none]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    for words in [
+        "one.csv:3: y_m of 'far' is not a number",
+        "one.csv:3: phase_s of 2: from 0 to below 1",
+        "two.csv:1: the column phase_s is missing",
+        "none.csv: No such file",
+    ] {
+        assert!(call.err.contains(words), "{words}: {}", call.err);
+    }
+    let call = program.call(&["bench", "radio", "--synchronous", "--topology", &two]);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    let call = program.call(&["bench", "radio", "--topology", &two, "--payload", "117"]);
+    assert!(call.err.contains("between 0 and 116 bytes"), "{}", call.err);
 }
 
 #[test]

@@ -6,6 +6,9 @@
 //! is never negative. Ratios between rows of one table then hold where seconds do not. Runs of a row
 //! differ in nothing, so their trace hashes must not either; if they do, that is the result.
 //!
+//! `radio` is no experiment of the paper. It does not measure the machine but the air: what it lets
+//! through, to be held against what others say.
+//!
 //! Reading order: `workload` (what flies, and one run of it), `process` (what the operating system
 //! counts), `table`; then the experiments, each with its arguments.
 
@@ -13,6 +16,7 @@ mod fig6;
 mod fig7;
 mod fig8;
 mod process;
+mod radio;
 mod table;
 mod workload;
 
@@ -28,6 +32,8 @@ pub(super) enum Experiment {
     Fig7(fig7::Options),
     /// Figure 8: ever more bees that all talk and listen
     Fig8(fig8::Options),
+    /// What gets through on one IEEE 802.15.4 channel: broadcasts on a topology from a file
+    Radio(radio::Options),
 }
 
 pub(super) fn bench(experiment: &Experiment) -> Result<(), Failure> {
@@ -35,6 +41,7 @@ pub(super) fn bench(experiment: &Experiment) -> Result<(), Failure> {
         Experiment::Fig6(options) => fig6::fig6(options),
         Experiment::Fig7(options) => fig7::fig7(options),
         Experiment::Fig8(options) => fig8::fig8(options),
+        Experiment::Radio(options) => radio::radio(options),
     }
 }
 
