@@ -2,7 +2,7 @@
 //!
 //! [`params`] makes a struct readable from a scenario: units, defaults, schema, unknown keys are
 //! errors. [`choice`] does the same for an enum. One attribute for each kind of part puts a type on the shelf under a name:
-//! [`behavior`], [`vehicle`], [`sensor`], [`radio`], [`antenna`], [`propagation`], [`medium`],
+//! [`behavior`], [`vehicle`], [`sensor`], [`radio`], [`antenna`], [`propagation`], [`fading`], [`medium`],
 //! [`weather`], [`generator`], [`component`]. The type's doc comment becomes the text of `simbeeotic describe`.
 //!
 //! ```ignore
@@ -103,6 +103,10 @@ part_attribute!(
 part_attribute!(
     /// Registers a propagation model under a name: `#[propagation("free-space")]`.
     propagation
+);
+part_attribute!(
+    /// Registers a fading model under a name: `#[fading("rician")]`.
+    fading
 );
 part_attribute!(
     /// Registers a level of fidelity of the air under a name: `#[medium("simple")]`.

@@ -32,6 +32,7 @@ mod hosted;
 mod image;
 pub mod instance;
 mod kit;
+mod line;
 pub mod message;
 pub mod model;
 pub mod objects;
@@ -43,6 +44,7 @@ mod sampling;
 pub mod scene;
 pub mod sees;
 pub mod sensor;
+pub mod shadowing;
 pub mod simulation;
 pub mod summary;
 pub mod swarm;
@@ -60,6 +62,7 @@ pub use energy::{
 };
 pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Station};
 pub use image::{Image, Pixels};
+pub use line::Crossing;
 pub use message::{Message, Thing, Touch};
 pub use model::{Model, Wake};
 pub use packets::{Listener, OnAir, Reception, Transmission};
@@ -70,6 +73,7 @@ pub use sampling::{Sample, SamplePhase, Sampling, random_phase};
 pub use scene::Scene;
 pub use sees::SeesWhat;
 pub use sensor::{Handle, Needs, Sensor, Taken};
+pub use shadowing::{ShadowingKind, ShadowingParams};
 pub use simulation::{ModelPlan, Outcome, Setup, SetupError, Simulation, SimulationError};
 pub use summary::Summary;
 pub use swarm::Mark;
@@ -78,8 +82,8 @@ pub use vehicle::{Setpoint, Vehicle, VehicleKit};
 pub use view::{Origin, Truth, View};
 
 pub use simbeeotic_macros::{
-    antenna, behavior, choice, component, generator, medium, params, propagation, radio, sensor,
-    vehicle, weather,
+    antenna, behavior, choice, component, fading, generator, medium, params, propagation, radio,
+    sensor, vehicle, weather,
 };
 
 pub use inventory;

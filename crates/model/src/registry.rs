@@ -19,7 +19,7 @@ use crate::sensor::{AnySensor, Mounted, Sensor};
 use crate::vehicle::{AnyVehicle, Carried, Vehicle, VehicleKit};
 use schemars::Schema;
 use simbeeotic_kernel::Stream;
-use simbeeotic_radio::{Antenna, Propagation, RadioSpec};
+use simbeeotic_radio::{Antenna, Fading, Propagation, RadioSpec};
 use simbeeotic_units::Mount;
 use simbeeotic_world::{Weather, World};
 use std::any::TypeId;
@@ -42,6 +42,8 @@ pub enum Kind {
     Antenna,
     /// `[channel] use = "..."`
     Propagation,
+    /// `[channel] fading = "..."`
+    Fading,
     /// `[channel] medium = "..."`
     Medium,
     /// `[weather] use = "..."`
@@ -54,13 +56,14 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of `simbeeotic list`.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Model,
         Self::Vehicle,
         Self::Sensor,
         Self::Radio,
         Self::Antenna,
         Self::Propagation,
+        Self::Fading,
         Self::Medium,
         Self::Weather,
         Self::Generator,
@@ -76,6 +79,7 @@ impl Kind {
             Self::Radio => "radio",
             Self::Antenna => "antenna",
             Self::Propagation => "propagation",
+            Self::Fading => "fading",
             Self::Medium => "medium",
             Self::Weather => "weather",
             Self::Generator => "generator",
@@ -166,6 +170,8 @@ pub enum Make {
     Antenna(SiteMaker<Arc<dyn Antenna>>),
     /// A propagation model.
     Propagation(SiteMaker<Arc<dyn Propagation>>),
+    /// A fading model.
+    Fading(Maker<Arc<dyn Fading>>),
     /// A medium; `None`: no packet goes anywhere.
     Medium(AirMaker),
     /// Weather.
@@ -224,7 +230,7 @@ pub struct SensorKit<'a> {
     pub world: &'a World,
 }
 
-/// A part that needs nothing but its parameters: antennas, propagation, weather, components.
+/// A part that needs nothing but its parameters: antennas, propagation, fading, weather, components.
 pub trait FromParams: Sized + Send + 'static {
     /// What the scenario may set.
     type Params: Params;
@@ -320,6 +326,12 @@ impl Part {
         Self::new::<P::Params>(label, Kind::Propagation, Make::Propagation(make))
     }
 
+    /// A fading model. Called by `#[fading]`.
+    pub const fn fading<F: FromParams + Fading>(label: Label) -> Self {
+        let make: Maker<Arc<dyn Fading>> = |node| Ok(Arc::new(make_plain::<F>(node)?));
+        Self::new::<F::Params>(label, Kind::Fading, Make::Fading(make))
+    }
+
     /// A level of fidelity of the air. Called by `#[medium]`.
     pub const fn medium<F: Fidelity>(label: Label) -> Self {
         let make: AirMaker = |node, air| {
@@ -386,7 +398,7 @@ impl<P: Params> Recipe<P> {
 }
 
 /// A fault of building from `node`, at the key that causes it.
-fn place(node: &Node, error: BuildError) -> Fault {
+pub(crate) fn place(node: &Node, error: BuildError) -> Fault {
     match error {
         BuildError::Placed(fault) => fault,
         BuildError::Parameter { key, .. } => {

@@ -24,7 +24,9 @@ use simbeeotic_kernel::{
 };
 use simbeeotic_physics::{BodyId, Contact, Motion, Physics};
 use simbeeotic_radio::{Command, Medium, Poses, RadioId, RadioState, Request, Scratch};
-use simbeeotic_units::{Acceleration, Attitude, Length, Pose, Position, Rate, Twist, Velocity};
+use simbeeotic_units::{
+    Acceleration, Attitude, Decibels, Frequency, Length, Pose, Position, Rate, Twist, Velocity,
+};
 use simbeeotic_world::{Gases, Weather, World};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -485,6 +487,10 @@ impl Poses for Still<'_> {
 
     fn odometer(&self) -> Option<Length> {
         self.swarm.physics.odometer(self.now).map(Length::si)
+    }
+
+    fn obstruction(&self, ends: [(ModelId, Position); 2], frequency: Frequency) -> Decibels {
+        self.swarm.obstruction(ends, frequency, self.now)
     }
 
     fn generation(&self) -> u64 {

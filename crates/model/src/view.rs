@@ -2,6 +2,7 @@
 
 use crate::energy::{Battery, BatteryState, Effort};
 use crate::host::{Ray, Seen};
+use crate::line::Line;
 use crate::population::Population;
 use crate::scene::Scene;
 use crate::sees::SeesWhat;
@@ -195,6 +196,17 @@ impl Truth<'_> {
     pub fn cast_rays(&self, rays: &[Ray], what: SeesWhat) -> Result<Vec<Option<Seen>>, BodyError> {
         let host = self.swarm.body_of(self.host);
         self.swarm.cast_rays(rays, self.now, what, host)
+    }
+
+    /// A look along a line from the host.
+    pub(crate) fn line_of_sight(&self, target: Option<ModelId>, sees: SeesWhat) -> Line<'_> {
+        Line {
+            swarm: self.swarm,
+            now: self.now,
+            but: self.swarm.body_of(self.host),
+            target,
+            sees,
+        }
     }
 
     /// What there is to be seen, for a camera: all but the host itself.

@@ -7,7 +7,8 @@
 //! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`], [`sensor::battery`], [`sensor::motor`], [`sensor::link`], [`sensor::clock`] |
 //! | radios | [`radio::cc2420`] |
 //! | antennas | [`antenna::isotropic`] |
-//! | propagation | [`propagation::free_space`] |
+//! | propagation | [`propagation::free_space`], [`propagation::log_distance`], [`propagation::two_ray`], [`propagation::two_ray_exact`] |
+//! | fading | [`fading::rayleigh`], [`fading::rician`], [`fading::nakagami`] |
 //! | generators of worlds | [`generator`] |
 //! | weather | [`weather::constant`], [`weather::atmosphere`] |
 //!
@@ -18,6 +19,7 @@
 pub mod aerodynamics;
 pub mod antenna;
 pub mod behavior;
+pub mod fading;
 pub mod generator;
 pub mod medium;
 pub mod net;

@@ -3,7 +3,7 @@
 //!
 //! Errors hold for what radio asks: powers and gains between 1e-37 and 1e37.
 
-use std::f32::consts::{LN_2, LOG2_10};
+use std::f32::consts::LN_2;
 
 /// The base-2 logarithm of a normal number above 0: off by at most 1e-6, and by rounding.
 ///
@@ -43,12 +43,6 @@ pub(crate) fn exp2(x: f32) -> f32 {
             + t * (0.5
                 + t * (1.0 / 6.0 + t * (1.0 / 24.0 + t * (1.0 / 120.0 + t * (1.0 / 720.0))))));
     f32::from_bits(power.to_bits().wrapping_add(bits << 23))
-}
-
-/// The power ratio of a number of decibels: `10^(db / 10)`.
-#[inline(always)]
-pub(crate) fn ratio(db: f32) -> f32 {
-    exp2(db * (0.1 * LOG2_10))
 }
 
 /// `cos(2 pi t)` for `t` in turns, `|t| < 2^21`: off by at most 2e-4, and from `t`'s rounding. What a
@@ -149,8 +143,7 @@ mod tests {
                 "log2 {exact}: off by {error}"
             );
         }
-        assert_eq!((log2(1.0), exp2(0.0), ratio(0.0)), (0.0, 1.0, 1.0));
-        assert!((f64::from(ratio(3.0)) - math::pow(10.0, 0.3)).abs() < 1e-6);
+        assert_eq!((log2(1.0), exp2(0.0)), (0.0, 1.0));
         assert!(exp2(-1000.0) < 1.2e-38 && exp2(1000.0).is_finite());
     }
 

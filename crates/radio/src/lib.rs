@@ -57,7 +57,8 @@
 //! | layer | trait | here |
 //! |---|---|---|
 //! | which way the power goes | [`Antenna`] | [`Isotropic`], [`ShortDipole`], [`HalfWaveDipole`], [`Patch`], [`Cosine`], [`Pattern`] |
-//! | what is left of it | [`Propagation`] | [`FreeSpace`] |
+//! | what is left of it | [`Propagation`] | [`FreeSpace`], [`LogDistance`], [`TwoRay`], [`TwoRayExact`], [`Composite`] |
+//! | what chance adds to that | [`Shadowing`]; [`Fading`] | [`Rayleigh`], [`Rician`], [`Nakagami`] |
 //! | whether that is enough | [`ErrorModel`] | [`Cc2420Curve`], [`Threshold`] |
 //! | what the radio is | [`RadioSpec`], a record | [`cc2420`] |
 //! | who may speak, and what collides | [`Medium`] | [`SimpleMedium`] |
@@ -75,6 +76,7 @@ pub mod cc2420;
 pub mod channel;
 pub mod counters;
 pub mod error_model;
+pub mod fading;
 mod fast;
 pub mod frame;
 mod grid;
@@ -95,6 +97,7 @@ pub use antenna::{
 pub use channel::Channel;
 pub use counters::{Counters, Loss};
 pub use error_model::{Cc2420Curve, ErrorModel, Threshold};
+pub use fading::{Fading, Nakagami, Rayleigh, Rician};
 pub use frame::{Frame, Outcome, Request, Ticket};
 pub use ieee802154::{AccessStatistics, Arithmetic, Ieee802154Config, Ieee802154Medium, Quirks};
 pub use inbox::{Inbox, Packet, Packets};
@@ -102,8 +105,8 @@ pub use ledger::Usage;
 pub use medium::{Command, Medium, Poses};
 pub use phy::{Access, Acks, BitErrors, Cca, CcaMode, Csma, LinkQuality, OqpskDsss, Phy, Spacing};
 pub use propagation::{
-    End, FrameKeys, FreeSpace, Ground, Link, Links, LogDistance, Polarisation, Propagation, Role,
-    TwoRay, TwoRayExact, TwoRayForm,
+    Composite, End, FrameKeys, FreeSpace, Ground, Link, Links, LogDistance, Polarisation,
+    Propagation, Role, TwoRay, TwoRayExact, TwoRayForm,
 };
 pub use radio::{Currents, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;

@@ -7,6 +7,7 @@
 use crate::plan::{DEFAULT_VEHICLE, PhysicsParams};
 use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
+use simbeeotic_model::ShadowingParams;
 use simbeeotic_model::energy::BatteryParams;
 use simbeeotic_model::registry::{Kind, Part, of_kind};
 use simbeeotic_units::{
@@ -235,7 +236,19 @@ fn channel(all: &mut Definitions) -> Value {
         &Map::new(),
         "How faithfully the air is simulated.",
     );
+    let fadings: Vec<&str> = of_kind(Kind::Fading).map(|part| part.label.name).collect();
+    let fading = one_of(
+        all,
+        Kind::Fading,
+        &Map::new(),
+        "What echoes do, drawn for each frame and receiver.",
+    );
     let common = entries([
+        (
+            "shadowing",
+            all.of::<ShadowingParams>("What is in the way and not in the map, by chance."),
+        ),
+        ("fading", json!({ "anyOf": [{ "enum": fadings }, fading] })),
         ("medium", json!({ "anyOf": [{ "enum": names }, medium] })),
         ("noise_floor", table(noise, "The noise at every receiver.")),
         (

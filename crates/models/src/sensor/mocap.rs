@@ -107,7 +107,7 @@ impl Mocap {
         if !(above && below) {
             return false;
         }
-        let sees = |camera: &&Position| super::line::is_free(truth, place, **camera, None, p.sees);
+        let sees = |camera: &&Position| truth.is_free(place, **camera, None, p.sees);
         p.cameras.is_empty() || p.cameras.iter().filter(sees).count() >= p.min_cameras
     }
 }

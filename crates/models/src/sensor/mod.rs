@@ -20,7 +20,6 @@ pub mod inertial;
 pub mod lidar;
 pub mod lidar_3d;
 pub mod light;
-mod line;
 pub mod link;
 pub mod magnetometer;
 pub mod mocap;

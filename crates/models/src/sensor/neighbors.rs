@@ -1,7 +1,6 @@
 //! Who is near, and in which direction.
 
 use super::bounds::{at_least_zero, positive, reach};
-use super::line;
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
@@ -219,9 +218,8 @@ impl Neighbors {
     fn is_in_sight(&self, truth: &Truth<'_>, other: &Neighbor) -> bool {
         let here = truth.sensor_pose().position;
         let place = other.id.and_then(|id| truth.pose_of(id));
-        place.is_some_and(|pose| {
-            line::is_free(truth, here, pose.position, other.id, self.params.hidden_by)
-        })
+        place
+            .is_some_and(|pose| truth.is_free(here, pose.position, other.id, self.params.hidden_by))
     }
 }
 

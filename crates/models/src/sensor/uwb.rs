@@ -1,7 +1,6 @@
 //! Ranging by ultra-wideband radio.
 
 use super::bounds::{at_least_zero, place, reach};
-use super::line;
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
@@ -204,7 +203,7 @@ impl Sensor for Uwb {
         let range = |(to, place): (UwbPeer, Position)| UwbRange {
             to,
             distance: here.distance(place),
-            line_of_sight: line::is_free(truth, here, place, to.model(), p.sees),
+            line_of_sight: truth.is_free(here, place, to.model(), p.sees),
         };
         peers.into_iter().filter(near).map(range).collect()
     }
@@ -270,7 +269,7 @@ impl Uwb {
             UwbPeer::Model(id) => truth.pose_of(id)?.position,
         };
         let mut way = Way::default();
-        for crossing in line::crossings(truth, here, place, range.to.model(), p.sees)? {
+        for crossing in truth.crossings(here, place, range.to.model(), p.sees)? {
             way.things += 1;
             let object = crossing.thing.object();
             let material = object.and_then(|object| truth.world().material_of(object));

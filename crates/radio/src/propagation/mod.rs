@@ -5,6 +5,7 @@
 //! ([`Propagation::gains`], f32, linear; what a medium asks millions of times a second). Whoever
 //! writes a new one starts with `loss` alone and gets `gains` for free, slowly.
 
+mod composite;
 mod free_space;
 mod log_distance;
 #[cfg(test)]
@@ -12,6 +13,7 @@ pub(crate) mod testing;
 mod two_ray;
 mod two_ray_exact;
 
+pub use composite::Composite;
 pub use free_space::FreeSpace;
 pub use log_distance::LogDistance;
 pub use two_ray::{TwoRay, TwoRayForm};

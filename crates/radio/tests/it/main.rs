@@ -4,6 +4,7 @@ mod agreement;
 mod antennas;
 mod behaviour;
 mod ieee802154;
+mod fading;
 mod path_loss;
 mod reference;
 mod support;

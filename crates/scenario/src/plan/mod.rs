@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! [run]        seed, end_time, wall_time, threads, real_time_factor, epoch, limits
-//! [channel]    use, medium, noise_floor, range_limit, walls, the propagation's own parameters
+//! [channel]    use, medium, noise_floor, range_limit, walls, shadowing, fading, the propagation's own parameters
 //! [weather]    use, its own parameters
 //! world        = "file", or [world] with the world itself
 //! [variables]  what placeholders `${name}` stand for, here and in the world

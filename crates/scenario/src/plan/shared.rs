@@ -4,9 +4,9 @@ use super::section::Section;
 use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
-use simbeeotic_model::radio::{FreeSpace, Medium, Propagation};
+use simbeeotic_model::radio::{Composite, FreeSpace, Medium, Propagation};
 use simbeeotic_model::registry::{Kind, Make, Site, find};
-use simbeeotic_model::{Air, NoiseFloor};
+use simbeeotic_model::{Air, NoiseFloor, ShadowingParams};
 use simbeeotic_units::{Decibels, Length, PowerLevel};
 use simbeeotic_world::World;
 use std::sync::Arc;
@@ -18,6 +18,10 @@ pub struct Channel {
     pub medium: Choice,
     /// What distance does; `None`: free space.
     pub propagation: Option<Choice>,
+    /// What places do besides.
+    pub shadowing: Option<ShadowingParams>,
+    /// What echoes do besides.
+    pub fading: Option<Choice>,
     /// Frames reach no further than this.
     pub range_limit: Option<Length>,
     /// The noise at every receiver.
@@ -50,13 +54,32 @@ impl Channel {
     }
 
     fn propagation(&self, site: &Site<'_>) -> Result<Arc<dyn Propagation>, Vec<Fault>> {
-        match &self.propagation {
-            Some(choice) => match choice.part.make {
-                Make::Propagation(make) => make(&choice.params, site),
-                _ => Ok(Arc::new(FreeSpace)),
+        let path: Arc<dyn Propagation> = match self.propagation.as_ref() {
+            Some(Choice { part, params }) => match part.make {
+                Make::Propagation(make) => make(params, site)?,
+                _ => Arc::new(FreeSpace),
             },
-            None => Ok(Arc::new(FreeSpace)),
+            None => Arc::new(FreeSpace),
+        };
+        let shadowing = self
+            .shadowing
+            .as_ref()
+            .map(|params| params.shadowing(site.seed));
+        let fading = match self.fading.as_ref() {
+            Some(Choice { part, params }) => match part.make {
+                Make::Fading(make) => Some(make(params)?),
+                _ => None,
+            },
+            None => None,
+        };
+        if shadowing.is_none() && fading.is_none() {
+            return Ok(path);
         }
+        Ok(Arc::new(Composite {
+            path,
+            shadowing,
+            fading,
+        }))
     }
 }
 
@@ -96,6 +119,13 @@ pub(super) fn channel(node: &Node, cx: &mut Context<'_>) -> Option<Channel> {
     let noise_floor = noise_floor(&mut section, faults);
     let range_limit = range_limit(&mut section, faults);
     let walls = section.read("walls", faults).unwrap_or_default();
+    let shadowing = section.get("shadowing").and_then(|node| {
+        let read = ShadowingParams::read(node);
+        read.map_err(|found| faults.extend(found)).ok()
+    });
+    let fading = section
+        .get("fading")
+        .and_then(|node| choice(node, Kind::Fading, faults));
     let propagation = match propagation {
         Some(part) => {
             let part = part?;
@@ -110,6 +140,8 @@ pub(super) fn channel(node: &Node, cx: &mut Context<'_>) -> Option<Channel> {
     let channel = Channel {
         medium: medium?,
         propagation,
+        shadowing,
+        fading,
         range_limit,
         noise_floor,
         walls,

@@ -1,6 +1,7 @@
 //! Scenario and world files as a user writes them, right and wrong.
 
 mod broken;
+mod channel;
 mod faults;
 mod figure12;
 mod files;

@@ -1,0 +1,120 @@
+//! `[channel]`: what distance, places and echoes do.
+
+use crate::{bad, good};
+use simbeeotic_model::ShadowingKind;
+
+fn channel(lines: &str) -> String {
+    format!("[run]\nend_time = \"1 s\"\n[channel]\n{lines}\n[[model]]\nuse = \"inert-bee\"\n")
+}
+
+#[test]
+fn every_propagation_and_fading_of_the_shelf_is_read_with_its_parameters() {
+    for lines in [
+        "use = \"free-space\"",
+        "use = \"log-distance\"\nexponent = 2.7\nreference_distance = \"2 m\"\nreference_loss = \"46.6777 dB\"",
+        "use = \"two-ray\"\nform = \"ns3\"\nminimum_distance = \"0.5 m\"\nheight = \"20 cm\"",
+        "use = \"two-ray\"\nform = \"original\"",
+        "use = \"two-ray-exact\"\npolarisation = \"horizontal\"\nground = \"sea-water\"",
+        "use = \"two-ray-exact\"\npermittivity = 12\nconductivity = \"5 mS/m\"",
+        "shadowing = { sigma = \"4 dB\", distance = \"10 m\" }",
+        "shadowing = { sigma = \"4 dB\", kind = \"links\" }\nfading = \"rayleigh\"",
+        "fading = { use = \"rician\", k = \"6 dB\" }",
+        "fading = { use = \"nakagami\", m = 1.5 }",
+        "fading = { use = \"nakagami\", steps = [[\"80 m\", 1.5], [\"200 m\", 0.75]] }",
+    ] {
+        let loaded = good("swarm.toml", &channel(lines));
+        assert!(loaded.faults().is_empty(), "{lines}");
+        loaded.setup().expect("a set-up");
+    }
+}
+
+#[test]
+fn shadowing_is_a_field_unless_said() {
+    let loaded = good("swarm.toml", &channel("shadowing = { sigma = \"6 dB\" }"));
+    let channel = loaded.plan().channel.as_ref().expect("there is one");
+    let shadowing = channel.shadowing.as_ref().expect("it has shadowing");
+    assert_eq!(shadowing.kind, ShadowingKind::Field);
+    assert_eq!(shadowing.sigma.db(), 6.0);
+    assert!(channel.fading.is_none());
+}
+
+#[test]
+fn what_is_wrong_is_told_at_its_place_with_what_was_meant() {
+    for (lines, column, words) in [
+        (
+            "shadowing = { sgima = \"4 dB\" }",
+            15,
+            "did you mean `sigma`",
+        ),
+        (
+            "shadowing = { sigma = \"-1 dB\" }",
+            23,
+            "must lie between 0 dB and 40 dB",
+        ),
+        ("shadowing = { sigma = \"4 m\" }", 23, "dB"),
+        (
+            "shadowing = { kind = \"link\" }",
+            22,
+            "did you mean `links`",
+        ),
+        (
+            "shadowing = { kind = \"links\", distance = \"9 m\" }",
+            42,
+            "goes with the kind `field`",
+        ),
+        ("fading = \"ricean\"", 10, "did you mean `rician`"),
+        (
+            "fading = { use = \"rician\", kk = \"6 dB\" }",
+            28,
+            "unknown key `kk`",
+        ),
+        (
+            "fading = { use = \"rician\", k = \"99 dB\" }",
+            32,
+            "must lie between",
+        ),
+        (
+            "fading = { use = \"nakagami\", m = 0.1 }",
+            34,
+            "must lie between 0.5 and 100",
+        ),
+        (
+            "fading = { use = \"nakagami\", steps = [[\"9 m\", 1], [\"8 m\", 1]] }",
+            38,
+            "that rise",
+        ),
+        (
+            "use = \"log-distance\"\nexponent = -1",
+            12,
+            "must lie between 0 and 20",
+        ),
+        ("use = \"two-rays\"", 7, "did you mean `two-ray`"),
+        (
+            "use = \"two-ray-exact\"\nground = \"wett\"",
+            10,
+            "did you mean `wet`",
+        ),
+        ("fadin = \"rayleigh\"", 1, "did you mean `fading`"),
+    ] {
+        let shown = bad("swarm.toml", &channel(lines));
+        assert!(shown.contains(words), "{lines}:\n{shown}");
+        let line = 3 + lines.lines().count();
+        assert!(
+            shown.contains(&format!(":{line}:{column}")),
+            "{lines}, {line}:{column}:\n{shown}"
+        );
+    }
+}
+
+#[test]
+fn the_originals_two_rays_keep_their_form() {
+    let xml = crate::XML.replace("FreeSpacePropagationModel", "TwoRayPropagationModel");
+    assert_ne!(xml, crate::XML);
+    let loaded = good("old.xml", &xml);
+    let toml = loaded.toml();
+    assert!(
+        toml.contains("use = \"two-ray\"") && toml.contains("form = \"original\""),
+        "{toml}"
+    );
+    assert!(!good("old.xml", crate::XML).toml().contains("form"));
+}
