@@ -2,7 +2,7 @@
 
 use crate::support::{Still, secs};
 
-use simbeeotic_kernel::rng::path_key;
+use simbeeotic_kernel::rng::{Stream, path_key};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_radio::{
     Access, Arithmetic, BitErrors, Command, Counters, Ieee802154Config, Ieee802154Medium,
@@ -52,6 +52,8 @@ struct Trial {
     got: Vec<Got>,
     outcomes: Vec<(u32, Outcome)>,
     rounds: usize,
+    now: SimTime,
+    begun: Vec<(u32, u64)>,
     scratch: Scratch,
 }
 
@@ -67,6 +69,8 @@ impl Trial {
             got: Vec::new(),
             outcomes: Vec::new(),
             rounds: 0,
+            now: SimTime::ZERO,
+            begun: Vec::new(),
             scratch: Scratch::new(),
         }
     }
@@ -79,8 +83,12 @@ impl Trial {
 
     fn open(&mut self, now: SimTime) {
         self.rounds += 1;
+        self.now = now;
         let mut owners = Vec::new();
         self.medium.open(now, &self.poses, &mut owners);
+        let begun = &mut self.begun;
+        self.medium
+            .begun(&mut |frame| begun.push((frame.radio().0, frame.sent().nanos())));
         let mut with_mail = Vec::new();
         for radio in 0..self.medium.radios() as u32 {
             let owner = self.medium.spec(RadioId(radio)).owner;
@@ -127,6 +135,12 @@ impl Trial {
             at,
             Request::broadcast(RadioId(radio), vec![0; bytes].into()),
         );
+    }
+
+    /// When the first frame of a radio began, us.
+    fn begun_us(&self, radio: u32) -> u64 {
+        let mut mine = self.begun.iter().filter(|b| b.0 == radio);
+        mine.next().map_or(0, |b| b.1 / 1000)
     }
 
     fn counters(&self, radio: u32) -> Counters {
@@ -328,5 +342,439 @@ fn a_frame_inside_another_spoils_it_but_not_in_ns3() {
         assert!(of_a.clone().all(|got| got.lqi == 255));
         let lost = trial.counters(2).lost(Loss::Collision);
         assert_eq!(lost, 2000 - expected as u64);
+    }
+}
+
+/// To somebody in particular, with a ticket.
+fn unicast(from: u32, to: u32, bytes: usize, ticket: u32) -> Request {
+    Request {
+        destination: Some(ModelId(to)),
+        ticket: Some(Ticket(ticket)),
+        ..Request::broadcast(RadioId(from), vec![0; bytes].into())
+    }
+}
+
+fn results(trial: &Trial) -> Vec<(u32, u32, Result<(), Loss>)> {
+    let outcomes = trial.outcomes.iter();
+    outcomes.map(|(r, o)| (*r, o.ticket.0, o.result)).collect()
+}
+
+/// Any radio's times by state sum to the time that has passed.
+fn assert_time_is_whole(trial: &Trial, until: SimTime) {
+    for radio in 0..trial.medium.radios() as u32 {
+        let usage = trial.medium.usage(RadioId(radio), until);
+        let sum: f64 = RadioState::ALL.iter().map(|&s| usage.time(s).secs()).sum();
+        assert!((sum - until.as_secs_f64()).abs() < 1e-9, "{radio}: {sum} s");
+    }
+}
+
+fn state_us(trial: &Trial, radio: u32, state: RadioState, until: SimTime) -> f64 {
+    let usage = trial.medium.usage(RadioId(radio), until);
+    (usage.time(state).secs() * 1e9).round() / 1e3
+}
+
+#[test]
+fn a_packet_to_somebody_is_acknowledged_and_told_so() {
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0]);
+    trial.submit(micros(100), unicast(0, 1, 20, 7));
+    trial.run(secs(1));
+    assert_eq!(results(&trial), [(0, 7, Ok(()))]);
+    assert_eq!(trial.got.len(), 1);
+    assert_eq!((trial.got[0].receiver, trial.got[0].sender), (1, 0));
+    let counters = [0, 1, 2].map(|radio| trial.counters(radio));
+    assert_eq!(
+        counters.map(|c| c.sent),
+        [1, 0, 0],
+        "an acknowledgement is no packet"
+    );
+    assert_eq!(counters.map(|c| c.received), [0, 1, 0]);
+    assert_eq!(counters.map(|c| c.overheard), [0, 0, 1]);
+    assert_eq!(counters.map(|c| c.missed()), [0, 0, 0]);
+    // 37 bytes one way, 11 bytes back.
+    let sent = [0, 1, 2].map(|r| state_us(&trial, r, RadioState::Transmit, secs(1)));
+    assert_eq!(sent, [1184.0, 352.0, 0.0]);
+    let heard = [0, 1, 2].map(|r| state_us(&trial, r, RadioState::Receive, secs(1)));
+    assert_eq!(heard, [352.0, 1184.0, 1536.0]);
+    assert_time_is_whole(&trial, secs(1));
+}
+
+#[test]
+fn a_packet_that_nobody_acknowledges_is_sent_four_times() {
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0]);
+    trial.submit(micros(0), unicast(0, 9, 4, 1));
+    trial.submit(micros(1), unicast(0, 1, 4, 2));
+    trial.run(secs(1));
+    let expected = [(0, 1, Err(Loss::NoAcknowledgement)), (0, 2, Ok(()))];
+    assert_eq!(results(&trial), expected);
+    let counters = trial.counters(0);
+    assert_eq!(
+        (counters.sent, counters.lost(Loss::NoAcknowledgement)),
+        (5, 1)
+    );
+    assert_eq!(trial.counters(1).overheard, 4);
+}
+
+#[test]
+fn what_comes_twice_is_handed_over_once() {
+    // The acknowledgement is lost: the receiver's power is too low to come back.
+    let weak = RadioSpec {
+        tx_power: PowerLevel::from_dbm(-60.0),
+        ..node(1)
+    };
+    let places = vec![[0.0; 3], [20.0, 0.0, 0.0]];
+    let mut trial = Trial::new(Ieee802154Config::default(), vec![node(0), weak], places);
+    for k in 0..3 {
+        trial.submit(SimTime::from_millis(100 * k), unicast(0, 1, 4, k as u32));
+    }
+    trial.run(secs(1));
+    assert_eq!(trial.got.len(), 3);
+    let counters = trial.counters(1);
+    assert_eq!((counters.received, counters.repeated), (3, 9));
+    assert!(
+        results(&trial)
+            .iter()
+            .all(|r| r.2 == Err(Loss::NoAcknowledgement))
+    );
+}
+
+#[test]
+fn a_channel_that_stays_busy_is_given_up() {
+    // One radio sends without pause, at once and for as long as a frame may be.
+    let config = Ieee802154Config::default();
+    let mut chatty = at_once(0, Phy::cc2420());
+    (chatty.phy.spacing.short, chatty.phy.spacing.long) = (Time::ZERO, Time::ZERO);
+    let mut trial = Trial::new(
+        config,
+        vec![chatty, node(1)],
+        vec![[0.0; 3], [1.0, 0.0, 0.0]],
+    );
+    for _ in 0..60 {
+        trial.broadcast(micros(0), 0, 116);
+    }
+    trial.submit(micros(2000), unicast(1, 0, 4, 3));
+    trial.run(secs(2));
+    assert_eq!(results(&trial), [(1, 3, Err(Loss::ChannelBusy))]);
+    let counters = trial.counters(1);
+    assert_eq!((counters.sent, counters.lost(Loss::ChannelBusy)), (0, 1));
+    // After five busy assessments: 0 to 7, 15, 31, 31, 31 units of backoff.
+    assert_eq!(trial.medium.access_statistics().failures, 1);
+    assert_eq!(trial.got.len(), 60, "{:?}", trial.counters(1));
+}
+
+#[test]
+fn frames_that_do_not_fit_or_have_to_wait_too_long_are_refused() {
+    let specs = vec![
+        RadioSpec {
+            queue_frames: 2,
+            ..node(0)
+        },
+        node(1),
+    ];
+    let places = vec![[0.0; 3], [1.0, 0.0, 0.0]];
+    let mut trial = Trial::new(Ieee802154Config::default(), specs, places);
+    trial.run(micros(0));
+    for ticket in 0..5 {
+        trial.medium.submit(micros(0), unicast(0, 1, 4, ticket));
+    }
+    trial.medium.submit(micros(0), unicast(0, 1, 117, 9));
+    trial.run(secs(1));
+    let full = Err(Loss::QueueFull);
+    let expected = [
+        (0, 3, full),
+        (0, 4, full),
+        (0, 9, Err(Loss::TooLong)),
+        (0, 0, Ok(())),
+    ];
+    assert_eq!(results(&trial)[..4], expected);
+    assert_eq!(trial.got.len(), 3);
+    let counters = trial.counters(0);
+    assert_eq!(
+        (counters.lost(Loss::QueueFull), counters.lost(Loss::TooLong)),
+        (2, 1)
+    );
+}
+
+#[test]
+fn frames_of_one_radio_keep_their_distance() {
+    // Long ones 640 us, short ones (18 bytes of MPDU) 192 us, and the way to the channel: 320 us or more.
+    for (bytes, least_us) in [(20, 640 + 320), (4, 192 + 320)] {
+        let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0]);
+        for _ in 0..50 {
+            trial.broadcast(micros(0), 0, bytes);
+        }
+        trial.run(secs(1));
+        assert_eq!(trial.got.len(), 50);
+        let pauses = trial.got.windows(2).map(|w| w[1].sent_ns - w[0].time_ns);
+        assert_eq!(pauses.min(), Some(least_us * 1000));
+    }
+}
+
+#[test]
+fn nobody_hears_while_sending() {
+    let config = Ieee802154Config::default();
+    let specs = (0..3).map(|bee| at_once(bee, Phy::cc2420())).collect();
+    let places = vec![[0.0; 3], [1.0, 0.0, 0.0], [10.0, 0.0, 0.0]];
+    let mut trial = Trial::new(config, specs, places);
+    trial.broadcast(micros(1000), 0, 20);
+    trial.broadcast(micros(1500), 1, 20);
+    trial.run(secs(1));
+    // 1 gives up the frame of 0 to send, 0 is sending; 2 is spoilt by the other, 10 times as near.
+    assert!(
+        trial.got.iter().all(|got| got.receiver == 2),
+        "{:?}",
+        trial.got
+    );
+    let halves = [0, 1].map(|radio| trial.counters(radio).lost(Loss::HalfDuplex));
+    assert_eq!(halves, [1, 1]);
+    assert_eq!(state_us(&trial, 1, RadioState::Receive, secs(1)), 500.0);
+    assert_time_is_whole(&trial, secs(1));
+}
+
+#[test]
+fn sleepers_hear_nothing_finish_what_they_send_and_refuse_more() {
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0]);
+    let (sleep, wake) = (Command::Sleep, Command::Wake);
+    trial.broadcast(micros(0), 0, 20);
+    // Until it is on the air: 2 falls asleep in the middle of it, 0 while sending.
+    while trial.medium.state(RadioId(0), trial.now) != RadioState::Transmit {
+        let next = trial.medium.next_time().unwrap();
+        trial.open(next);
+    }
+    let start = trial.now;
+    let middle = start.saturating_add_nanos(500_000);
+    trial.run(middle);
+    assert_eq!(trial.medium.state(RadioId(2), middle), RadioState::Receive);
+    for radio in [0, 2] {
+        trial.medium.command(middle, RadioId(radio), sleep).unwrap();
+    }
+    assert_eq!(trial.medium.state(RadioId(0), middle), RadioState::Transmit);
+    assert_eq!(trial.medium.state(RadioId(2), middle), RadioState::Sleep);
+    trial.medium.submit(middle, unicast(0, 1, 4, 5));
+    trial.run(secs(1));
+    assert_eq!(results(&trial), [(0, 5, Err(Loss::SenderAsleep))]);
+    assert_eq!(trial.got.len(), 1, "1 has it, and it is whole");
+    assert_eq!(trial.got[0].time_ns - trial.got[0].sent_ns, 1_184_000);
+    assert_eq!(trial.counters(2).lost(Loss::Asleep), 1);
+    assert_eq!(trial.medium.state(RadioId(0), secs(1)), RadioState::Sleep);
+    assert_eq!(state_us(&trial, 0, RadioState::Transmit, secs(1)), 1184.0);
+    assert_eq!(state_us(&trial, 2, RadioState::Receive, secs(1)), 500.0);
+
+    trial.broadcast(secs(1), 1, 4);
+    trial.run(secs(2));
+    assert_eq!([0, 2].map(|r| trial.counters(r).lost(Loss::Asleep)), [1, 2]);
+    for radio in [0, 2] {
+        trial.medium.command(secs(2), RadioId(radio), wake).unwrap();
+    }
+    trial.broadcast(secs(2), 1, 4);
+    trial.run(secs(3));
+    assert_eq!(trial.got.len(), 3);
+    assert_time_is_whole(&trial, secs(3));
+}
+
+#[test]
+fn an_idle_radio_asks_for_no_round_and_draws_what_listening_draws() {
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0]);
+    assert_eq!(trial.medium.next_time(), None);
+    trial.run(secs(100));
+    assert_eq!((trial.medium.next_time(), trial.rounds), (None, 1));
+    let usage = trial.medium.usage(RadioId(1), secs(100));
+    assert_eq!(usage.time(RadioState::Listen), Time::from_secs(100.0));
+    assert!((usage.total().coulombs() - 1.88).abs() < 1e-9, "18.8 mA");
+    // A broadcast: its beginning and its end, and no more than a look or two at the channel.
+    trial.broadcast(secs(100), 0, 4);
+    let before = trial.rounds;
+    trial.run(secs(101));
+    assert!(trial.rounds - before <= 4, "{}", trial.rounds - before);
+    assert_eq!(trial.medium.next_time(), None);
+}
+
+#[test]
+fn channels_are_apart_and_a_radio_may_change_its_own() {
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0]);
+    let other = simbeeotic_radio::Channel::ieee802154(20).unwrap();
+    trial.run(micros(10));
+    trial
+        .medium
+        .command(micros(10), RadioId(2), Command::Tune(other))
+        .unwrap();
+    trial.broadcast(micros(20), 0, 4);
+    trial.run(secs(1));
+    assert_eq!(trial.got.len(), 1);
+    assert_eq!(
+        trial.counters(2).missed(),
+        0,
+        "nothing passed on its channel"
+    );
+    trial
+        .medium
+        .command(secs(1), RadioId(0), Command::Tune(other))
+        .unwrap();
+    trial.broadcast(secs(1).saturating_add_nanos(1), 0, 4);
+    trial.run(secs(2));
+    assert_eq!(trial.got.len(), 2);
+    assert_eq!(trial.got[1].receiver, 2);
+    // What is on the air reaches who tunes in: it is felt, not received.
+    trial.broadcast(secs(2), 0, 100);
+    while trial.medium.state(RadioId(0), trial.now) != RadioState::Transmit {
+        let next = trial.medium.next_time().unwrap();
+        trial.open(next);
+    }
+    let now = trial.now;
+    let silence = trial.medium.ambient(RadioId(1)).dbm();
+    trial
+        .medium
+        .command(now, RadioId(1), Command::Tune(other))
+        .unwrap();
+    trial.open(now);
+    let felt = trial.medium.ambient(RadioId(1)).dbm();
+    assert!(
+        (silence + 95.5).abs() < 1e-9 && (felt + 54.21).abs() < 0.01,
+        "{silence} {felt}"
+    );
+    trial.run(secs(3));
+    assert_eq!(trial.got.len(), 3, "only 2 has it");
+    assert_time_is_whole(&trial, secs(3));
+}
+
+/// Nodes in a ball of 20 m, each with a phase of its own.
+fn ball(n: usize, seed: u64) -> (Vec<[f64; 3]>, Vec<u64>) {
+    let mut stream = Stream::new(seed, "test", "ball");
+    let places = (0..n).map(|_| stream.in_ball(20.0).to_array()).collect();
+    let phases = (0..n).map(|_| (stream.uniform() * 2e8) as u64).collect();
+    (places, phases)
+}
+
+/// Plays broadcasts, five a second each, and returns what was received, sorted: (sent, sender,
+/// receiver, bits of the power, quality).
+fn played(
+    config: &Ieee802154Config,
+    order: &[usize],
+    places: &[[f64; 3]],
+    phases: &[u64],
+) -> Vec<(u64, u32, u32, u64, u8)> {
+    let specs = order.iter().map(|&bee| RadioSpec {
+        // Poses are told by order of adding; keys and names stay.
+        owner: ModelId(order.iter().position(|&b| b == bee).unwrap() as u32),
+        ..node(bee)
+    });
+    let mut trial = Trial::new(
+        config.clone(),
+        specs.collect(),
+        order.iter().map(|&bee| places[bee]).collect(),
+    );
+    let mut requests: Vec<(u64, u32)> = (0..5)
+        .flat_map(|k| (0..order.len()).map(move |r| (k, r)))
+        .map(|(k, r)| (k * 200_000_000 + phases[order[r]], r as u32))
+        .collect();
+    requests.sort_unstable();
+    for (at, radio) in requests {
+        trial.broadcast(SimTime::from_nanos(at), radio, 20);
+    }
+    trial.run(secs(2));
+    assert_time_is_whole(&trial, secs(2));
+    for radio in 0..order.len() as u32 {
+        // Each frame of the others met some fate here.
+        let (counters, sent) = (trial.counters(radio), trial.medium.totals().sent);
+        let fates = counters.received + counters.missed();
+        assert_eq!(fates, sent - counters.sent, "{counters:?}");
+    }
+    let mut got: Vec<_> = trial
+        .got
+        .iter()
+        .map(|g| {
+            let bee = |r: u32| order[r as usize] as u32;
+            (
+                g.sent_ns,
+                bee(g.sender),
+                bee(g.receiver),
+                g.rssi_dbm.to_bits(),
+                g.lqi,
+            )
+        })
+        .collect();
+    got.sort_unstable();
+    got
+}
+
+#[test]
+fn the_order_of_adding_and_the_arithmetic_change_nothing() {
+    let (places, mut phases) = ball(40, 3);
+    // Many speak at one instant.
+    phases[..20].fill(1_000_000);
+    let forward: Vec<usize> = (0..40).collect();
+    let shuffled: Vec<usize> = (0..40).map(|i| (i * 17 + 5) % 40).collect();
+    for quirks in [
+        simbeeotic_radio::Quirks::None,
+        simbeeotic_radio::Quirks::Ns3,
+    ] {
+        let config = Ieee802154Config {
+            quirks,
+            ..ns3_config(11)
+        };
+        let one = played(&config, &forward, &places, &phases);
+        assert!(one.len() > 2000, "{}", one.len());
+        assert_eq!(one, played(&config, &shuffled, &places, &phases));
+        let exact = Ieee802154Config {
+            arithmetic: Arithmetic::Exact,
+            ..config.clone()
+        };
+        let exact = played(&exact, &forward, &places, &phases);
+        // Link quality is cut off, and may differ by one.
+        let bare = |list: &[(u64, u32, u32, u64, u8)]| -> Vec<(u64, u32, u32, u64)> {
+            list.iter().map(|g| (g.0, g.1, g.2, g.3)).collect()
+        };
+        assert_eq!(bare(&one), bare(&exact));
+        let other_seed = Ieee802154Config { seed: 12, ..config };
+        assert_ne!(one, played(&other_seed, &forward, &places, &phases));
+    }
+}
+
+#[test]
+fn nobody_out_of_reach_changes_anything() {
+    let (mut places, mut phases) = ball(20, 5);
+    let config = Ieee802154Config {
+        range_limit: Some(Length::from_metres(200.0)),
+        ..ns3_config(2)
+    };
+    let near: Vec<usize> = (0..20).collect();
+    let alone = played(&config, &near, &places, &phases);
+    for k in 0..10 {
+        places.push([5000.0 + f64::from(k), 0.0, 0.0]);
+        phases.push(phases[k as usize]);
+    }
+    let all: Vec<usize> = (0..30).collect();
+    let mut among = played(&config, &all, &places, &phases);
+    among.retain(|got| got.1 < 20);
+    assert_eq!(alone, among);
+}
+
+#[test]
+fn energy_below_the_threshold_leaves_the_channel_free() {
+    // A CC2420 at 0 dBm: -77 dBm at about 70 m in free space. Beyond, but above the noise, a frame that
+    // is taken in still makes the channel busy.
+    use simbeeotic_radio::CcaMode;
+    for (mode, east_m, waits) in [
+        (CcaMode::Energy, 60.0, true),
+        (CcaMode::Energy, 80.0, false),
+        (CcaMode::Carrier, 80.0, true),
+        (CcaMode::Both, 80.0, true),
+    ] {
+        let mut late = node(1);
+        late.phy.cca.mode = mode;
+        let mut trial = Trial::new(
+            Ieee802154Config::default(),
+            vec![at_once(0, Phy::cc2420()), late],
+            vec![[0.0; 3], [east_m, 0.0, 0.0]],
+        );
+        // On the air for 4.2 ms, from 1 ms on.
+        trial.broadcast(micros(1000), 0, 115);
+        trial.broadcast(micros(1100), 1, 4);
+        trial.run(secs(1));
+        let sent_us = trial.begun_us(1);
+        assert_eq!(
+            sent_us > 5000,
+            waits,
+            "{mode:?} at {east_m} m: {sent_us} us"
+        );
     }
 }
