@@ -105,6 +105,7 @@ fn on_cpu_ns() -> f64 {
     first.and_then(|ns| ns.parse().ok()).unwrap_or(0.0)
 }
 
+#[expect(clippy::print_stdout, reason = "a bench talks to whoever runs it")]
 fn saturated(c: &mut Criterion) {
     let mut group = c.benchmark_group("ieee802154");
     group.sample_size(10);

@@ -61,7 +61,8 @@
 //! | what chance adds to that | [`Shadowing`]; [`Fading`] | [`Rayleigh`], [`Rician`], [`Nakagami`] |
 //! | whether that is enough | [`ErrorModel`] | [`Cc2420Curve`], [`Threshold`] |
 //! | what the radio is | [`RadioSpec`], a record | [`cc2420`] |
-//! | who may speak, and what collides | [`Medium`] | [`SimpleMedium`] |
+//! | how well it tells bits apart | [`BitErrors`] | [`OqpskDsss`] |
+//! | who may speak, and what collides | [`Medium`] | [`SimpleMedium`], [`Ieee802154Medium`] |
 //!
 //! # Reading order
 //!
@@ -69,7 +70,8 @@
 //! 2. [`frame`] and [`inbox`]: what goes in and what comes out;
 //! 3. [`radio`], [`channel`], [`antenna`], [`propagation`], [`error_model`]: the layers;
 //! 4. [`simple`]: the medium of the paper, and how it is made fast;
-//! 5. [`ledger`] and [`counters`]: time, charge and losses.
+//! 5. [`phy`] and [`mod@ieee802154`]: air time, medium access and interference;
+//! 6. [`ledger`] and [`counters`]: time, charge and losses.
 
 pub mod antenna;
 pub mod cc2420;
