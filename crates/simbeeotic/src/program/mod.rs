@@ -1,5 +1,5 @@
 //! The program: `simbeeotic run`, `check`, `list`, `describe`, `schema`, `new`, `convert`,
-//! `export`, `world`, `bench`.
+//! `export`, `plot`, `world`, `bench`.
 //!
 //! A crate with parts of its own gets all of it by a `main` of one line:
 //!
@@ -18,6 +18,7 @@ mod input;
 mod log;
 mod new;
 mod picture;
+mod plot;
 mod run;
 mod shelf;
 mod show;
@@ -53,6 +54,7 @@ pub fn main() -> ExitCode {
         Command::Convert(options) => convert::convert(&options),
         Command::Export(options) => export::export(&options),
         Command::Picture(options) => picture::picture(&options),
+        Command::Plot(what) => plot::plot(&what),
         Command::World(options) => world::world(&options),
         Command::Bench(experiment) => bench::bench(&experiment),
     };

@@ -1,0 +1,188 @@
+//! Axes: where numbers are on a picture, and the ticks that say so.
+
+use super::sheet::{AXIS, Anchor, GRID, NORMAL, SMALL, Sheet, TEXT};
+use simbeeotic_units::math;
+
+/// One axis: what it shows, from where to where, and a tick every `step`.
+#[derive(Clone, Debug)]
+pub(super) struct Axis {
+    pub(super) label: String,
+    pub(super) low: f64,
+    pub(super) high: f64,
+    pub(super) step: f64,
+}
+
+impl Axis {
+    /// From `low` to `high`, with about so many ticks at whole multiples of 1, 2 or 5 times a power of
+    /// ten.
+    pub(super) fn exact(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
+        let high = if high > low { high } else { low + 1.0 };
+        Self {
+            label: label.into(),
+            low,
+            high,
+            step: nice((high - low) / ticks),
+        }
+    }
+
+    /// The same, stretched to the next ticks outside.
+    pub(super) fn stretched(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
+        let mut axis = Self::exact(label, low, high, ticks);
+        let (step, small) = (axis.step, 1e-9);
+        axis.low = (axis.low / step + small).floor() * step;
+        axis.high = (axis.high / step - small).ceil() * step;
+        axis
+    }
+
+    /// The ticks with their numbers.
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+        let small = 1e-9;
+        let first = (self.low / self.step - small).ceil() as i64;
+        let last = (self.high / self.step + small).floor() as i64;
+        let ticks = first..=last;
+        ticks
+            .map(|at| {
+                let value = at as f64 * self.step;
+                (value, number(value, self.step))
+            })
+            .collect()
+    }
+
+    fn share(&self, value: f64) -> f64 {
+        (value - self.low) / (self.high - self.low)
+    }
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is not below a number above zero.
+pub(super) fn nice(least: f64) -> f64 {
+    let power = math::log10(least).floor();
+    let whole = power as i32;
+    let scaled = |digit: f64| match whole {
+        0.. => digit * 10_f64.powi(whole),
+        _ => digit / 10_f64.powi(-whole),
+    };
+    let digits = [1.0, 2.0, 5.0, 10.0].map(scaled);
+    let fits = digits.into_iter().find(|d| *d >= least * (1.0 - 1e-9));
+    fits.unwrap_or(least)
+}
+
+/// A number with the digits that a step needs.
+pub(super) fn number(value: f64, step: f64) -> String {
+    let decimals = (-math::log10(step).floor()).clamp(0.0, 9.0) as usize;
+    let digits = format!("{:.decimals$}", value.abs());
+    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
+    let sign = if value < 0.0 && digits.contains(|c| ('1'..='9').contains(&c)) {
+        "\u{2212}"
+    } else {
+        ""
+    };
+    format!("{sign}{}{rest}", grouped(whole))
+}
+
+/// Digits in groups of three.
+pub(super) fn grouped(digits: &str) -> String {
+    let mut grouped = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    grouped
+}
+
+/// A rectangle of the picture with two axes.
+#[derive(Clone, Debug)]
+pub(super) struct Panel {
+    /// Left, top, right, bottom, pixels.
+    pub(super) edges: [f64; 4],
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+}
+
+impl Panel {
+    /// Where a pair of numbers is on the picture.
+    pub(super) fn place(&self, x: f64, y: f64) -> [f64; 2] {
+        let [left, top, right, bottom] = self.edges;
+        [
+            left + (right - left) * self.x.share(x),
+            bottom - (bottom - top) * self.y.share(y),
+        ]
+    }
+
+    /// Draws grid, axes and numbers; those below only if `below`.
+    pub(super) fn draw(&self, sheet: &mut Sheet, below: bool) {
+        let [left, top, right, bottom] = self.edges;
+        for (value, text) in self.x.ticks() {
+            let [x, _] = self.place(value, self.y.low);
+            sheet.line(vec![[x, top], [x, bottom]], GRID, 1.0);
+            if below {
+                sheet.line(vec![[x, bottom], [x, bottom + 5.0]], AXIS, 1.0);
+                sheet.words([x, bottom + 22.0], text, SMALL, Anchor::Middle, TEXT);
+            }
+        }
+        for (value, text) in self.y.ticks() {
+            let [_, y] = self.place(self.x.low, value);
+            sheet.line(vec![[left, y], [right, y]], GRID, 1.0);
+            sheet.words([left - 9.0, y + 5.0], text, SMALL, Anchor::End, TEXT);
+        }
+        sheet.line(
+            vec![[left, top], [left, bottom], [right, bottom]],
+            AXIS,
+            1.2,
+        );
+        if below {
+            let middle = [0.5 * (left + right), bottom + 47.0];
+            sheet.words(middle, self.x.label.as_str(), NORMAL, Anchor::Middle, TEXT);
+        }
+        let middle = [left - 66.0, 0.5 * (top + bottom)];
+        sheet.words_upwards(middle, &self.y.label, NORMAL);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_one_two_or_five_times_a_power_of_ten() {
+        for (least, step) in [
+            (0.7, 1.0),
+            (1.0, 1.0),
+            (1.1, 2.0),
+            (2.4, 5.0),
+            (6.0, 10.0),
+            (0.03, 0.05),
+            (0.2, 0.2),
+            (1200.0, 2000.0),
+        ] {
+            assert_eq!(nice(least), step, "{least}");
+        }
+    }
+
+    #[test]
+    fn ticks_are_whole_multiples_with_the_digits_they_need() {
+        let texts =
+            |axis: &Axis| -> Vec<String> { axis.ticks().into_iter().map(|t| t.1).collect() };
+        assert_eq!(
+            texts(&Axis::exact("", -0.1, 0.35, 5.0)),
+            ["\u{2212}0.1", "0.0", "0.1", "0.2", "0.3"]
+        );
+        assert_eq!(texts(&Axis::exact("", 0.0, 1.0, 5.0)).len(), 6);
+        let wide = Axis::stretched("", 3.0, 2900.0, 3.0);
+        assert_eq!((wide.low, wide.high), (0.0, 3000.0));
+        assert_eq!(texts(&wide), ["0", "1,000", "2,000", "3,000"]);
+    }
+
+    #[test]
+    fn the_corners_of_a_panel_are_the_ends_of_its_axes() {
+        let panel = Panel {
+            edges: [10.0, 20.0, 110.0, 220.0],
+            x: Axis::exact("", -1.0, 1.0, 4.0),
+            y: Axis::exact("", 0.0, 50.0, 4.0),
+        };
+        assert_eq!(panel.place(-1.0, 0.0), [10.0, 220.0]);
+        assert_eq!(panel.place(1.0, 50.0), [110.0, 20.0]);
+        assert_eq!(panel.place(0.0, 25.0), [60.0, 120.0]);
+    }
+}

@@ -1,0 +1,104 @@
+//! `plot`: pictures of what is in a recording.
+//!
+//! Each kind of picture is a function from a recording to a [`Sheet`](sheet::Sheet): a list of lines, areas, discs and
+//! words in pixels. A sheet becomes SVG by printing it ([`svg`]), PNG by filling outlines ([`png`]); the
+//! letters are part of the program ([`font`]), so that a picture is the same everywhere. [`axes`] and
+//! [`palette`] are for all kinds.
+//!
+//! A plotting library would have been kuva (95,000 lines for what takes 500 here) or plotters (no map of
+//! links, and no letters without the system's); both would have to be told where every line goes.
+
+mod axes;
+mod delivery;
+mod font;
+mod links;
+mod losses;
+mod palette;
+mod png;
+mod sheet;
+mod source;
+mod stats;
+mod svg;
+
+use super::arguments::{Plot, PlotOptions};
+use super::{Failure, remark, same_file};
+use simbeeotic_record::publish;
+use source::Source;
+use std::io::{self, Write};
+
+/// What a picture becomes.
+#[derive(Clone, Copy)]
+enum Format {
+    Svg,
+    Png,
+}
+
+/// Draws it.
+pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
+    let options = what.options();
+    let format = format(options)?;
+    let source = Source::open(options)?;
+    if same_file(&options.recording, &options.output) {
+        return Err(Failure::input(format!(
+            "{} is the recording itself; choose another name for the picture",
+            options.output.display()
+        )));
+    }
+    let sheet = match what {
+        Plot::Links(options) => links::links(&source, options),
+        Plot::Delivery(options) => delivery::delivery(&source, options),
+        Plot::Rssi(options) => delivery::rssi(&source, options),
+        Plot::Losses(options) => losses::losses(&source, options),
+    }?;
+    let bytes = match format {
+        Format::Svg => svg::svg(&sheet).into_bytes(),
+        Format::Png => png::png(&sheet).ok_or_else(|| Failure::run("the picture is too large"))?,
+    };
+    let written = publish(&options.output, |mut file| -> io::Result<()> {
+        file.write_all(&bytes)
+    });
+    written.map_err(|error| {
+        Failure::run(format!(
+            "cannot write {}: {error}",
+            options.output.display()
+        ))
+    })?;
+    remark(format!("wrote {}", options.output.display()));
+    Ok(())
+}
+
+fn format(options: &PlotOptions) -> Result<Format, Failure> {
+    let ending = options
+        .output
+        .extension()
+        .and_then(|ending| ending.to_str());
+    match ending.map(str::to_ascii_lowercase).as_deref() {
+        Some("svg") => Ok(Format::Svg),
+        Some("png") => Ok(Format::Png),
+        _ => Err(Failure::input(format!(
+            "--output {}: a picture is written as .svg or .png",
+            options.output.display()
+        ))),
+    }
+}
+
+impl Plot {
+    fn options(&self) -> &PlotOptions {
+        match self {
+            Self::Links(options) => &options.plot,
+            Self::Delivery(options) | Self::Rssi(options) => &options.plot,
+            Self::Losses(options) => &options.plot,
+        }
+    }
+}
+
+impl PlotOptions {
+    /// Width and height, pixels.
+    fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    fn title<'a>(&'a self, or: &'a str) -> &'a str {
+        self.title.as_deref().unwrap_or(or)
+    }
+}

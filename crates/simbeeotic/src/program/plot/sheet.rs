@@ -1,0 +1,172 @@
+//! What a picture is made of, whatever file it becomes: lines, areas, discs, words, in pixels from the
+//! upper left corner.
+
+use super::font;
+
+/// A colour, and how much of it covers what is below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ink {
+    pub(super) rgb: [u8; 3],
+    pub(super) alpha: f64,
+}
+
+impl Ink {
+    pub(super) const fn new(rgb: [u8; 3]) -> Self {
+        Self { rgb, alpha: 1.0 }
+    }
+
+    pub(super) const fn thin(self, alpha: f64) -> Self {
+        Self { alpha, ..self }
+    }
+}
+
+/// Words.
+pub(super) const TEXT: Ink = Ink::new([0x26, 0x2b, 0x33]);
+/// Words that matter less.
+pub(super) const FAINT: Ink = Ink::new([0x5c, 0x66, 0x73]);
+/// Lines of a grid.
+pub(super) const GRID: Ink = Ink::new([0xe4, 0xe7, 0xeb]);
+/// Axes.
+pub(super) const AXIS: Ink = Ink::new([0x8a, 0x93, 0x9e]);
+pub(super) const WHITE: Ink = Ink::new([0xff; 3]);
+
+/// Where a word stands to its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// One thing of a picture.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    /// Straight lines from point to point.
+    Line {
+        points: Vec<[f64; 2]>,
+        ink: Ink,
+        width: f64,
+    },
+    /// What such lines enclose.
+    Area { points: Vec<[f64; 2]>, ink: Ink },
+    /// A disc with a rim of white.
+    Disc {
+        centre: [f64; 2],
+        radius: f64,
+        ink: Ink,
+        rim: f64,
+    },
+    /// A line of words; its base line goes through `at`.
+    Words {
+        at: [f64; 2],
+        text: String,
+        size: f64,
+        anchor: Anchor,
+        ink: Ink,
+        /// Whether it reads upwards.
+        upwards: bool,
+        /// Whether a rim of white keeps it apart from what is below.
+        halo: bool,
+    },
+}
+
+/// A picture: its size, and its things from the lowest to the highest, on white.
+#[derive(Clone, Debug)]
+pub(super) struct Sheet {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) shapes: Vec<Shape>,
+}
+
+/// Size of words, pixels.
+pub(super) const SMALL: f64 = 14.0;
+pub(super) const NORMAL: f64 = 16.0;
+const TITLE: f64 = 21.0;
+/// Room for the title and the line below it.
+pub(super) const HEAD: f64 = 74.0;
+
+impl Sheet {
+    /// A picture with a title, and a line that says what is seen.
+    pub(super) fn titled(width: u32, height: u32, title: &str, caption: &str) -> Self {
+        let mut sheet = Self {
+            width,
+            height,
+            shapes: Vec::new(),
+        };
+        let room = f64::from(width) - 48.0;
+        let fit = |text: &str, size: f64| size.min(size * room / font::width(text, size).max(1.0));
+        sheet.words([24.0, 36.0], title, fit(title, TITLE), Anchor::Start, TEXT);
+        sheet.words(
+            [24.0, 60.0],
+            caption,
+            fit(caption, SMALL),
+            Anchor::Start,
+            FAINT,
+        );
+        sheet
+    }
+
+    pub(super) fn line(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64) {
+        self.shapes.push(Shape::Line { points, ink, width });
+    }
+
+    pub(super) fn area(&mut self, points: Vec<[f64; 2]>, ink: Ink) {
+        self.shapes.push(Shape::Area { points, ink });
+    }
+
+    pub(super) fn rectangle(&mut self, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2], ink: Ink) {
+        self.area(vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]], ink);
+    }
+
+    pub(super) fn disc(&mut self, centre: [f64; 2], radius: f64, ink: Ink, rim: f64) {
+        self.shapes.push(Shape::Disc {
+            centre,
+            radius,
+            ink,
+            rim,
+        });
+    }
+
+    pub(super) fn words(
+        &mut self,
+        at: [f64; 2],
+        text: impl Into<String>,
+        size: f64,
+        anchor: Anchor,
+        ink: Ink,
+    ) {
+        self.shapes.push(Shape::Words {
+            at,
+            text: text.into(),
+            size,
+            anchor,
+            ink,
+            upwards: false,
+            halo: false,
+        });
+    }
+
+    pub(super) fn words_apart(&mut self, at: [f64; 2], text: &str, size: f64, anchor: Anchor) {
+        self.shapes.push(Shape::Words {
+            at,
+            text: text.to_owned(),
+            size,
+            anchor,
+            ink: TEXT,
+            upwards: false,
+            halo: true,
+        });
+    }
+
+    pub(super) fn words_upwards(&mut self, at: [f64; 2], text: &str, size: f64) {
+        self.shapes.push(Shape::Words {
+            at,
+            text: text.to_owned(),
+            size,
+            anchor: Anchor::Middle,
+            ink: TEXT,
+            upwards: true,
+            halo: false,
+        });
+    }
+}
