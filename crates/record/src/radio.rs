@@ -270,11 +270,14 @@ fn distance_m(a: Position, b: Position) -> f32 {
 fn tallies(now: &Counters, last: &Counters) -> Tallies {
     let lost = Loss::ALL.into_iter().filter(|why| now.lost(*why) > 0);
     Tallies {
-        sent: now.sent - last.sent,
-        received: now.received - last.received,
-        overheard: now.overheard - last.overheard,
+        sent: now.sent.saturating_sub(last.sent),
+        received: now.received.saturating_sub(last.received),
+        overheard: now.overheard.saturating_sub(last.overheard),
         lost: lost
-            .map(|why| (why.name().to_owned(), now.lost(why) - last.lost(why)))
+            .map(|why| {
+                let lost = now.lost(why).saturating_sub(last.lost(why));
+                (why.name().to_owned(), lost)
+            })
             .collect(),
     }
 }
