@@ -348,7 +348,8 @@ pub(super) struct LinkOptions {
         allow_negative_numbers = true
     )]
     pub(super) least: f64,
-    /// Only the best links of each radio, so many [default: all, or as many as 500 lines allow]
+    /// Only the best links of each radio, so many [default: all, if they are not more
+    /// than 6 for each radio, and 600; else as many as these allow]
     #[arg(long, value_name = "N")]
     pub(super) per_radio: Option<u32>,
 }

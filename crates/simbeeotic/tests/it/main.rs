@@ -8,6 +8,7 @@ mod determinism;
 mod golden;
 mod layers;
 mod operator;
+mod plot;
 mod program;
 mod radio;
 mod shelf;

@@ -147,7 +147,7 @@ fn caption(source: &Source, links: &[Links], bins: &Bins) -> String {
         grouped(&bins.bins.iter().map(part).sum::<u64>().to_string())
     };
     let more = format!(
-        "{radios} radios, {} of {} chances to receive a frame were taken",
+        "{radios} radios, {} of {} possible receptions",
         sum(|bin| bin.received),
         sum(|bin| bin.sent)
     );

@@ -11,8 +11,9 @@ use simbeeotic_kernel::SimTime;
 use simbeeotic_record::Links;
 use std::collections::BTreeMap;
 
-/// More lines make a picture darker, not clearer.
-const LINES_MAX: usize = 500;
+/// More lines make a picture darker, not clearer: so many in all, or for each radio.
+const LINES_MAX: usize = 600;
+const LINES_EACH: usize = 6;
 /// More names hide what is below.
 const NAMES_MAX: usize = 60;
 /// The width of the column at the right.
@@ -140,7 +141,8 @@ fn strongest(
     radios: usize,
     wanted: Option<usize>,
 ) -> (Vec<Pair>, Option<usize>) {
-    if wanted.is_none() && pairs.len() <= LINES_MAX {
+    let most = (LINES_EACH * radios).min(LINES_MAX);
+    if wanted.is_none() && pairs.len() <= most {
         return (pairs, None);
     }
     let key = |pair: &Pair| (pair.ratio(), pair.rssi_dbm());
@@ -159,7 +161,7 @@ fn strongest(
         .collect();
     let count = |best: usize| ranks.iter().filter(|rank| **rank < best).count();
     let best = wanted.unwrap_or_else(|| {
-        let few = (2..radios.max(3)).take_while(|best| count(*best) <= LINES_MAX);
+        let few = (2..radios.max(3)).take_while(|best| count(*best) <= most);
         few.last().unwrap_or(1)
     });
     let kept = pairs
