@@ -74,6 +74,8 @@
 //! 6. [`ledger`] and [`counters`]: time, charge and losses.
 
 pub mod antenna;
+pub mod at86rf23x;
+pub mod bit_errors;
 pub mod cc2420;
 pub mod channel;
 pub mod counters;
@@ -86,19 +88,22 @@ pub mod ieee802154;
 pub mod inbox;
 pub mod ledger;
 pub mod medium;
+pub mod nrf;
 pub mod phy;
 pub mod propagation;
 pub mod radio;
 mod scratch;
 pub mod shadowing;
 pub mod simple;
+pub mod sx127x;
 
 pub use antenna::{
     Antenna, Cosine, HalfWaveDipole, Isotropic, Patch, Pattern, PatternFault, ShortDipole,
 };
+pub use bit_errors::{Bitwise, Bpsk, Gfsk, Step};
 pub use channel::Channel;
 pub use counters::{Counters, Loss};
-pub use error_model::{Cc2420Curve, ErrorModel, Threshold};
+pub use error_model::{Cc2420Curve, ErrorModel, Logistic, Threshold, TossimCurve};
 pub use fading::{Fading, Nakagami, Rayleigh, Rician};
 pub use frame::{Frame, Outcome, Request, Ticket};
 pub use ieee802154::{AccessStatistics, Arithmetic, Ieee802154Config, Ieee802154Medium, Quirks};
@@ -110,7 +115,7 @@ pub use propagation::{
     Composite, End, FrameKeys, FreeSpace, Ground, Link, Links, LogDistance, Polarisation,
     Propagation, Role, TwoRay, TwoRayExact, TwoRayForm,
 };
-pub use radio::{Currents, RadioError, RadioId, RadioSpec, RadioState};
+pub use radio::{Currents, Framing, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;
 pub use shadowing::Shadowing;
 pub use simple::{Delivery, DeliveryCurve, GilbertElliott, SimpleConfig, SimpleMedium};

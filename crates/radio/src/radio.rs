@@ -4,6 +4,7 @@ use crate::antenna::{Antenna, Isotropic};
 use crate::channel::Channel;
 use crate::error_model::ErrorModel;
 use crate::phy::Phy;
+use crate::sx127x::Lora;
 use simbeeotic_kernel::ModelId;
 use simbeeotic_units::{Current, DataRate, Decibels, Mount, PowerLevel, Time};
 use std::fmt;
@@ -39,12 +40,16 @@ pub struct RadioSpec {
     pub tx_power: PowerLevel,
     /// The weakest signal it notices, -150 dBm or more.
     pub sensitivity: PowerLevel,
-    /// Its own share of the noise, above the medium's noise floor; 0 dB for most.
+    /// Its own share of the noise, above the medium's noise floor; negative for a receiver that is
+    /// narrower or better than the one that the floor is meant for. The radios here, but for the
+    /// CC2420 and the generic one, take it from [`phy`](Self::phy): their noise above -100 dBm.
     pub noise_figure: Decibels,
     /// Bits on the air per second.
     pub data_rate: DataRate,
     /// Bytes on the air for each frame besides its payload: preamble, headers, checksum.
     pub overhead_bytes: usize,
+    /// How bytes become air time.
+    pub framing: Framing,
     /// The longest payload that fits into a frame, bytes.
     pub payload_bytes_max: usize,
     /// How many frames may wait to be sent, where the medium makes them wait.
@@ -78,6 +83,7 @@ impl RadioSpec {
             noise_figure: Decibels::ZERO,
             data_rate: DataRate::from_kilobits_per_second(250.0),
             overhead_bytes: 0,
+            framing: Framing::Bytes,
             payload_bytes_max: usize::MAX,
             queue_frames: 100,
             currents: Currents::default(),
@@ -97,7 +103,20 @@ impl RadioSpec {
     /// How long a payload of this length is on the air.
     #[must_use]
     pub fn airtime(&self, payload_bytes: usize) -> Time {
-        self.data_rate.airtime(self.frame_bytes(payload_bytes))
+        self.frame_airtime(self.frame_bytes(payload_bytes))
+    }
+
+    /// How long a frame of this many bytes, overhead included, is on the air.
+    #[must_use]
+    pub fn frame_airtime(&self, frame_bytes: usize) -> Time {
+        let bytes = self.data_rate.airtime(frame_bytes);
+        match self.framing {
+            Framing::Bytes => bytes,
+            Framing::Bits { beyond } => {
+                bytes + Time::from_secs(f64::from(beyond) / self.data_rate.get())
+            }
+            Framing::Lora(lora) => lora.airtime(frame_bytes),
+        }
     }
 
     /// Whether the numbers make sense.
@@ -163,6 +182,22 @@ impl RadioSpec {
         }
         self.phy.check()
     }
+}
+
+/// How the bytes of a frame become air time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Framing {
+    /// Eight bits a byte, at the data rate.
+    #[default]
+    Bytes,
+    /// The same and a field that is no whole number of bytes.
+    Bits {
+        /// Bits beyond `overhead_bytes`.
+        beyond: u32,
+    },
+    /// Symbols of LoRa, with their own preamble and header.
+    Lora(Lora),
 }
 
 /// What a radio draws in each of its states.

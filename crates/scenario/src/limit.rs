@@ -30,3 +30,6 @@ pub const FAULTS_SHOWN: usize = 60;
 
 /// Largest file that a world may name, in bytes.
 pub const FILE_BYTES_MAX: u64 = 1 << 28;
+
+/// Most packets that may wait in a radio.
+pub const QUEUE_FRAMES_MAX: usize = 1_000_000;

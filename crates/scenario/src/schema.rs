@@ -4,6 +4,7 @@
 //! `#:schema ./scenario.schema.json`. A section whose `use` names a part has that part's
 //! parameters.
 
+use crate::limit::QUEUE_FRAMES_MAX;
 use crate::plan::{DEFAULT_VEHICLE, PhysicsParams};
 use schemars::{SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
@@ -385,6 +386,10 @@ fn model(all: &mut Definitions) -> Value {
     aerial.insert(
         "antenna".into(),
         json!({ "anyOf": [{ "type": "string" }, antenna] }),
+    );
+    aerial.insert(
+        "queue_frames".into(),
+        json!({ "type": "integer", "minimum": 1, "maximum": QUEUE_FRAMES_MAX, "default": 100, "description": "How many packets may wait to be sent, where the medium makes them wait." }),
     );
     let radio = one_of(all, Kind::Radio, &aerial, "A radio.");
     let vehicle = one_of(

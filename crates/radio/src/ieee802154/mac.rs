@@ -93,7 +93,7 @@ pub(super) fn nanos(time: Time) -> u64 {
 
 /// How long so many bytes are on the air, ns.
 pub(super) fn airtime_ns(spec: &RadioSpec, bytes: usize) -> u64 {
-    nanos(spec.data_rate.airtime(bytes))
+    nanos(spec.frame_airtime(bytes))
 }
 
 /// A request on its way.

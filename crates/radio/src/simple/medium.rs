@@ -225,7 +225,7 @@ impl Medium for SimpleMedium {
             radio.too_long += 1;
             return self.report(now, &request, Err(Loss::TooLong));
         }
-        let airtime_ns = (spec.data_rate.airtime(bytes).secs() * 1e9).round() as u64;
+        let airtime_ns = (spec.frame_airtime(bytes).secs() * 1e9).round() as u64;
         radio.ledger.transmit(now, airtime_ns);
         let frame = Frame {
             payload: Arc::clone(&request.payload),

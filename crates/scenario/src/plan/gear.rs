@@ -3,7 +3,7 @@
 use super::section::{Section, read, table_help};
 use super::shared::choice;
 use super::{Choice, Context, part};
-use crate::limit::MOUNT_M_MAX;
+use crate::limit::{MOUNT_M_MAX, QUEUE_FRAMES_MAX};
 use simbeeotic_model::config::{Fault, Node, Table, Value};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
@@ -209,12 +209,16 @@ fn radio(name: &str, node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Opt
         Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| antenna(&c, folder, faults)),
         None => Some(Arc::new(Isotropic::default()) as Arc<dyn Antenna>),
     };
+    let queue_frames = queue_frames(&mut section, faults);
     let part = part?;
     let params = section.rest(part, faults);
     let Make::Radio(make) = part.make else {
         return None;
     };
-    let spec = make(&params).map_err(|found| faults.extend(found)).ok()?;
+    let mut spec = make(&params).map_err(|found| faults.extend(found)).ok()?;
+    if let Some(frames) = queue_frames {
+        spec.queue_frames = frames;
+    }
     if let Err(error) = spec.check() {
         faults.push(Fault::error(node.span, error.to_string()));
         return None;

@@ -192,15 +192,11 @@ const WIND: &[Property] = &[
     },
 ];
 
+/// What stands beside a radio's own parameters. The original's antennas stood along the body's z axis,
+/// and `rotation` turned them about it.
 const RADIO: &[Property] = &[
-    gone(
-        "rotation",
-        "no antenna pattern of the original depends on it",
-    ),
-    gone(
-        "send-queue-size",
-        "packets are not queued in the `simple` medium",
-    ),
+    set("rotation", "mount.attitude.yaw", "rad"),
+    param("send-queue-size", "queue_frames", As::Whole),
 ];
 
 const ZIGBEE: &[Property] = &[
@@ -525,7 +521,7 @@ mod tests {
     }
 
     /// Keys that the sections of a scenario know themselves.
-    const COMMON: [&str; 2] = ["noise_floor", "range_limit"];
+    const COMMON: [&str; 4] = ["noise_floor", "range_limit", "mount", "queue_frames"];
 
     #[test]
     fn every_property_of_a_part_on_the_shelf_leads_to_a_parameter() {

@@ -9,6 +9,7 @@ mod objects;
 mod originals;
 mod placeholders;
 mod plans;
+mod radios;
 mod shelf;
 mod shipped;
 mod worlds;
