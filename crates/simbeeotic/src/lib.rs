@@ -114,3 +114,7 @@ mod surroundings_in_the_book {}
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/radio.md")]
 mod radio_in_the_book {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/radio-hardware.md")]
+mod radio_hardware_in_the_book {}

@@ -74,7 +74,7 @@ fn exponents(azimuth: Angle, elevation: Angle) -> Result<[f64; 2], RadioError> {
         if !(1.0..=360.000_001).contains(&width.degrees()) {
             return Err(RadioError::OutOfRange {
                 what,
-                got: width.to_string(),
+                got: super::in_degrees(width),
                 expected: "from 1 deg to 360 deg",
             });
         }

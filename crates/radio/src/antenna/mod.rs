@@ -48,7 +48,7 @@ pub use pattern::{Pattern, PatternFault};
 
 use crate::radio::RadioError;
 use glam::{DVec3, Vec3};
-use simbeeotic_units::{Decibels, math};
+use simbeeotic_units::{Angle, Decibels, math};
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -111,6 +111,11 @@ fn check_loss(loss: Decibels) -> Result<(), RadioError> {
         got: loss.to_string(),
         expected: "from 0 dB to 60 dB",
     })
+}
+
+/// An angle as people write it, to a millionth of a degree.
+fn in_degrees(angle: Angle) -> String {
+    format!("{} deg", (angle.degrees() * 1e6).round() / 1e6)
 }
 
 /// `loss` as a factor of power.

@@ -64,7 +64,7 @@ impl Patch {
             if !(5.0..=175.0).contains(&width.degrees()) {
                 return Err(RadioError::OutOfRange {
                     what,
-                    got: width.to_string(),
+                    got: super::in_degrees(width),
                     expected: "from 5 deg to 175 deg",
                 });
             }

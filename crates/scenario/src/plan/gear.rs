@@ -231,6 +231,18 @@ fn radio(name: &str, node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Opt
     })
 }
 
+/// `queue_frames = 20`: how many packets may wait to be sent.
+fn queue_frames(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<usize> {
+    let frames: usize = section.read("queue_frames", faults)?;
+    let node = section.get("queue_frames")?;
+    if !(1..=QUEUE_FRAMES_MAX).contains(&frames) {
+        let message =
+            format!("`queue_frames` must lie between 1 and {QUEUE_FRAMES_MAX}, and is {frames}");
+        faults.push(Fault::error(node.span, message));
+    }
+    Some(frames)
+}
+
 fn antenna(choice: &Choice, folder: &Path, faults: &mut Vec<Fault>) -> Option<Arc<dyn Antenna>> {
     let Make::Antenna(make) = choice.part.make else {
         return None;

@@ -9,9 +9,14 @@ use simbeeotic_scenario::{Loaded, Request, load_file, render};
 /// Three bees of the original that speak once a second, with this radio.
 fn xml(radio: &str) -> String {
     format!(
-        r#"<scenario><master-seed>7</master-seed>
-  <sim-end>3.5</sim-end>
+        r#"<scenario xmlns="http://harvard/robobees/simbeeotic/configuration/scenario">
+  <master-seed><constant value="7"/></master-seed>
+  <simulation><end-time>3.5</end-time></simulation>
   <models>
+    <model>
+      <java-class>harvard.robobees.simbeeotic.model.comms.FreeSpacePropagationModel</java-class>
+      <properties><prop name="noise-floor-sigma" value="0"/></properties>
+    </model>
     <model count="3">
       <java-class>harvard.robobees.simbeeotic.example.InstrumentBee</java-class>
       <properties>
@@ -19,13 +24,13 @@ fn xml(radio: &str) -> String {
         <prop name="use-random-start" value="true"/>
         <prop name="random-start-bound" value="3"/>
       </properties>
+      <sensor name="compass">
+        <java-class>harvard.robobees.simbeeotic.model.sensor.DefaultCompass</java-class>
+      </sensor>
       <radio>{radio}</radio>
+      <start-position x="0" y="0" z="0"/>
     </model>
   </models>
-  <rf-propagation>
-    <java-class>harvard.robobees.simbeeotic.model.comms.FreeSpacePropagationModel</java-class>
-    <properties><prop name="noise-floor-sigma" value="0"/></properties>
-  </rf-propagation>
 </scenario>"#
     )
 }
@@ -37,11 +42,9 @@ fn said(loaded: &Loaded) -> String {
 /// Packets sent and received until the end.
 fn counts(loaded: &Loaded) -> (u64, u64) {
     let setup = loaded.setup().expect("a set-up");
-    let mut run = Simulation::new(setup).expect("a run");
-    let end = run.end();
-    run.run_until(end).expect("it runs");
-    let counters = run.summary().counters;
-    (counters.sent, counters.received)
+    let outcome = Simulation::new(setup).expect("a run").run();
+    let packets = outcome.summary.packets;
+    (packets.sent, packets.received)
 }
 
 #[test]
@@ -118,7 +121,7 @@ fn the_original_s_rotation_and_send_queue_do_something() {
 /// A bee with one radio, as TOML.
 fn toml(radio: &str) -> String {
     format!(
-        "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"instrument-bee\"\n[model.radio]\n{radio}\n"
+        "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"broadcast-bee\"\n[model.radio]\n{radio}\n"
     )
 }
 
