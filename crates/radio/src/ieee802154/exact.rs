@@ -13,6 +13,9 @@ pub(super) struct ExactAir {
     quirks: Quirks,
     modulations: Vec<Modulation>,
     frames: Vec<OnAir>,
+    /// As ns-3 has it: frames that ended at `ended_ns`, and still interfere with others that end then.
+    ended: Vec<OnAir>,
+    ended_ns: u64,
     rows: Vec<Row>,
 }
 
@@ -42,13 +45,16 @@ impl ExactAir {
             quirks,
             modulations: Vec::new(),
             frames: Vec::new(),
+            ended: Vec::new(),
+            ended_ns: 0,
             rows: Vec::new(),
         }
     }
 
     /// The power of all frames but one at a row.
     fn others_mw(&self, row: usize, but: u32) -> f64 {
-        let others = self.frames.iter().filter(|frame| frame.id != but);
+        let all = self.frames.iter().chain(&self.ended);
+        let others = all.filter(|frame| frame.id != but);
         others.map(|frame| f64::from(frame.powers_mw[row])).sum()
     }
 
@@ -142,6 +148,7 @@ impl Air for ExactAir {
         if row >= self.rows.len() {
             self.rows.resize_with(row + 1, Row::default);
         }
+        self.ended.clear();
         for frame in &mut self.frames {
             frame.powers_mw.resize(self.rows.len(), 0.0);
             frame.powers_mw[row] = 0.0;
@@ -166,6 +173,7 @@ impl Air for ExactAir {
     }
 
     fn start(&mut self, frame: OnAir) {
+        self.ended.clear();
         for row in 0..self.rows.len() {
             self.close(row, frame.start_ns);
             self.meet(row, &frame);
@@ -177,6 +185,9 @@ impl Air for ExactAir {
         let Some(at) = self.frames.iter().position(|frame| frame.id == id) else {
             return Vec::new();
         };
+        if self.ended_ns != now_ns {
+            self.ended.clear();
+        }
         for row in 0..self.rows.len() {
             let mine = self.rows[row].lock.as_ref().is_some_and(|l| l.id == id);
             // ns-3 does not look at interference that ends: it counts as if it had not been.
@@ -189,7 +200,12 @@ impl Air for ExactAir {
                 receptions.extend(self.judge(row, &lock, key));
             }
         }
-        self.frames.swap_remove(at).powers_mw
+        let frame = self.frames.swap_remove(at);
+        if self.quirks == Quirks::Ns3 {
+            self.ended_ns = now_ns;
+            self.ended.push(frame.clone());
+        }
+        frame.powers_mw
     }
 
     fn frames(&self) -> &[OnAir] {
@@ -197,7 +213,8 @@ impl Air for ExactAir {
     }
 
     fn total_mw(&self, row: usize) -> f64 {
-        self.others_mw(row, 0)
+        let powers = self.frames.iter().map(|frame| frame.powers_mw[row]);
+        powers.map(f64::from).sum()
     }
 
     fn taking(&self, row: usize) -> Option<Taking> {

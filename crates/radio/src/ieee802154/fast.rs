@@ -24,6 +24,9 @@ pub(super) struct FastAir {
     frames: Vec<OnAir>,
     /// Whether the only frame on the air began in silence: the columns of overlap are stale then.
     single: bool,
+    /// As ns-3 has it: frames that ended at `ended_ns`, and still interfere with others that end then.
+    ended: Vec<OnAir>,
+    ended_ns: u64,
 
     receivers: Vec<Receiver>,
     noise_mw: Vec<f32>,
@@ -57,6 +60,8 @@ impl FastAir {
             tables: Vec::new(),
             frames: Vec::new(),
             single: false,
+            ended: Vec::new(),
+            ended_ns: 0,
             receivers: Vec::new(),
             noise_mw: Vec::new(),
             thresholds_mw: Vec::new(),
@@ -247,7 +252,7 @@ impl FastAir {
         let counted = u64::from(frame.counted);
         let receivers = &self.receivers[..n];
         let (locks, books) = (&mut self.locks[..n], &mut self.books[..n]);
-        let (totals, own) = (&mut self.totals_mw[..n], &self.powers_mw[..n]);
+        let (totals, own) = (&self.totals_mw[..n], &self.powers_mw[..n]);
         let (ln_success, energies) = (&self.ln_success[..n], &self.energies[..n]);
         for j in 0..n {
             if locks[j] != frame.id {
@@ -276,8 +281,19 @@ impl FastAir {
                 books[j].noise += counted & u64::from(!survives(luck, alone.into()));
             }
         }
-        for (total, &power_mw) in totals.iter_mut().zip(&frame.powers_mw) {
+    }
+
+    /// Takes the power of a frame off the channel.
+    fn leave(&mut self, frame: &OnAir) {
+        for (total, &power_mw) in self.totals_mw.iter_mut().zip(&frame.powers_mw) {
             *total -= rounded(power_mw);
+        }
+    }
+
+    /// Takes off the channel what ended before.
+    fn clear_ended(&mut self) {
+        for frame in std::mem::take(&mut self.ended) {
+            self.leave(&frame);
         }
     }
 }
@@ -295,6 +311,7 @@ impl Air for FastAir {
     }
 
     fn join(&mut self, row: usize, receiver: Receiver) {
+        self.clear_ended();
         if row >= self.receivers.len() {
             let n = row + 1;
             self.receivers.resize(n, Receiver::default());
@@ -349,6 +366,7 @@ impl Air for FastAir {
             self.settle();
         }
         self.started += 1;
+        self.clear_ended();
         if self.frames.is_empty() {
             self.start_in_silence(&frame);
         } else {
@@ -362,13 +380,23 @@ impl Air for FastAir {
         let Some(at) = self.frames.iter().position(|frame| frame.id == id) else {
             return Vec::new();
         };
+        if self.ended_ns != now_ns {
+            self.clear_ended();
+        }
         let frame = self.frames.swap_remove(at);
         if self.single {
             self.end_single(&frame, now_ns, receptions);
         } else {
             self.end_among_others(&frame, now_ns, receptions);
+            if self.quirks == Quirks::Ns3 {
+                self.ended_ns = now_ns;
+                self.ended.push(frame.clone());
+            } else {
+                self.leave(&frame);
+            }
         }
         if self.frames.is_empty() {
+            self.ended.clear();
             // Exactly so already, unless there were more than 8 mW.
             self.totals_mw.fill(0.0);
         }
@@ -383,7 +411,10 @@ impl Air for FastAir {
         match self.frames.first() {
             None => 0.0,
             Some(frame) if self.single => rounded(frame.powers_mw[row]),
-            Some(_) => self.totals_mw[row],
+            Some(_) => {
+                let ended = self.ended.iter().map(|frame| rounded(frame.powers_mw[row]));
+                self.totals_mw[row] - ended.sum::<f64>()
+            }
         }
     }
 

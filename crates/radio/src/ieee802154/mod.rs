@@ -138,7 +138,8 @@ pub enum Quirks {
     #[default]
     None,
     /// As in ns-3 3.37: interference that ends during a frame counts as if it had not been since the
-    /// last frame began; bits are rounded up in each part of a frame; the energy of an assessment is
+    /// last frame began (what ends together with the frame does count: signals arrive in the order of
+    /// distance, and so do their ends); bits are rounded up in each part of a frame; the energy of an assessment is
     /// the highest seen when a frame begins or the assessment ends, noise not included.
     Ns3,
 }

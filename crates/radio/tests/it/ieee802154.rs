@@ -315,6 +315,36 @@ fn capture_is_that_of_ns3() {
 }
 
 #[test]
+fn of_frames_that_begin_together_each_interferes_to_the_end_in_ns3_too() {
+    // One at -70 dBm, two at -72 dBm, all 37 bytes at one instant: a ratio of -1.01 dB. Whoever's
+    // end is done first, nobody's interference may be forgotten as that of a frame inside another.
+    let chance = OqpskDsss.success(0.5 * Decibels::from_db(2.0).ratio(), 8.0 * 37.0);
+    for arithmetic in [Arithmetic::Fast, Arithmetic::Exact] {
+        for strongest in 0..3 {
+            let specs = (0..4).map(|bee| at_once(bee, Phy::ns3())).collect();
+            let (near_m, far_m) = (reach_m(-70.0), reach_m(-72.0));
+            let mut places = vec![[far_m, 0.0, 0.0], [-far_m, 0.0, 0.0], [0.0, far_m, 0.0]];
+            places[strongest] = [0.0, -near_m, 0.0];
+            places.push([0.0; 3]);
+            let config = Ieee802154Config {
+                arithmetic,
+                ..ns3_at_once(4)
+            };
+            let mut trial = Trial::new(config, specs, places);
+            for k in 0..1000 {
+                for radio in 0..3 {
+                    trial.broadcast(SimTime::from_millis(10 * k), radio, 20);
+                }
+            }
+            trial.run(secs(11));
+            let at_3 = trial.got.iter().filter(|got| got.receiver == 3);
+            assert!(at_3.clone().all(|got| got.sender == strongest as u32));
+            assert!(within_luck(at_3.count(), 1000, chance), "{chance}");
+        }
+    }
+}
+
+#[test]
 fn a_frame_inside_another_spoils_it_but_not_in_ns3() {
     // B, 20 dB stronger, begins and ends while A is on the air.
     for (quirky, expected) in [(true, 1000), (false, 0)] {

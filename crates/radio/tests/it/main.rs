@@ -3,8 +3,9 @@
 mod agreement;
 mod antennas;
 mod behaviour;
-mod ieee802154;
 mod fading;
+mod ieee802154;
+mod ns3;
 mod path_loss;
 mod reference;
 mod support;
