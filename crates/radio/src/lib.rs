@@ -60,7 +60,7 @@
 //! | what is left of it | [`Propagation`] | [`FreeSpace`], [`LogDistance`], [`TwoRay`], [`TwoRayExact`], [`Composite`] |
 //! | what chance adds to that | [`Shadowing`]; [`Fading`] | [`Rayleigh`], [`Rician`], [`Nakagami`] |
 //! | whether that is enough | [`ErrorModel`] | [`Cc2420Curve`], [`Threshold`] |
-//! | what the radio is | [`RadioSpec`], a record | [`cc2420`] |
+//! | what the radio is | [`RadioSpec`], a record | [`cc2420`], [`at86rf23x`], [`nrf`], [`sx127x`] |
 //! | how well it tells bits apart | [`BitErrors`] | [`OqpskDsss`] |
 //! | who may speak, and what collides | [`Medium`] | [`SimpleMedium`], [`Ieee802154Medium`] |
 //!

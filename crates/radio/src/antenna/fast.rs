@@ -3,7 +3,7 @@
 //! Made of the four operations, comparisons and bits alone, so the same on every machine. Near-minimax
 //! fits at Chebyshev nodes.
 
-use std::f32::consts::{FRAC_PI_2, PI, SQRT_2};
+use std::f32::consts::{FRAC_PI_2, LN_2, LOG2_E, PI, SQRT_2};
 
 /// Base 2 logarithm of a normal positive number, to 1e-7 plus the rounding of the result.
 #[inline]
@@ -20,7 +20,7 @@ pub(super) fn log2(x: f32) -> f32 {
     let p = polynomial(
         y,
         &[
-            1.442_695,
+            LOG2_E,
             -0.721_347_36,
             0.480_898_2,
             -0.360_696_64,
@@ -47,8 +47,8 @@ pub(super) fn exp2(x: f32) -> f32 {
         x - whole,
         &[
             1.0,
-            0.693_147_2,
-            0.240_226_51,
+            LN_2,
+            0.240_226_5,
             0.055_503_27,
             0.009_618_026,
             0.001_340_043_2,
