@@ -7,18 +7,18 @@
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// What happens. At one instant, in this order: what ends is gone before others look, and a signal
-/// that begins has not arrived yet at those whose assessment ends now.
+/// What happens. At one instant, in this order: signals that end or begin now have not arrived yet at
+/// those whose assessment ends now; and what ends is gone before anything begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
+    /// An assessment of the channel ends.
+    CcaEnd,
     /// A frame leaves the air.
     TxEnd,
     /// A radio has turned from sending to listening.
     RxOn,
     /// No acknowledgement came.
     Timeout,
-    /// An assessment of the channel ends.
-    CcaEnd,
     /// An acknowledgement goes on the air.
     AckStart,
     /// A frame goes on the air.
@@ -123,10 +123,10 @@ mod tests {
         let mut agenda = Agenda::default();
         let sorted = [
             event(5, Kind::CcaStart, 9),
-            event(7, Kind::TxEnd, 3),
-            event(7, Kind::RxOn, 1),
             event(7, Kind::CcaEnd, 2),
             event(7, Kind::CcaEnd, 4),
+            event(7, Kind::TxEnd, 3),
+            event(7, Kind::RxOn, 1),
             event(7, Kind::TxStart, 1),
             event(7, Kind::CcaStart, 0),
             event(8, Kind::TxEnd, 0),
