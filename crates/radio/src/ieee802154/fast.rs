@@ -388,17 +388,17 @@ impl Air for FastAir {
             self.end_single(&frame, now_ns, receptions);
         } else {
             self.end_among_others(&frame, now_ns, receptions);
-            if self.quirks == Quirks::Ns3 {
-                self.ended_ns = now_ns;
-                self.ended.push(frame.clone());
-            } else {
-                self.leave(&frame);
-            }
         }
         if self.frames.is_empty() {
             self.ended.clear();
             // Exactly so already, unless there were more than 8 mW.
             self.totals_mw.fill(0.0);
+        } else if self.quirks == Quirks::Ns3 {
+            self.ended_ns = now_ns;
+            self.ended.push(frame);
+            return Vec::new();
+        } else {
+            self.leave(&frame);
         }
         frame.powers_mw
     }
