@@ -9,7 +9,7 @@ use simbeeotic_radio::{
     CcaMode, Channel, Command, Counters, Loss, Outcome, RadioId, RadioSpec, RadioState, Request,
     Ticket,
 };
-use simbeeotic_units::PowerLevel;
+use simbeeotic_units::{Current, PowerLevel};
 use std::sync::Arc;
 
 /// A request that no medium took, on its way back to who made it.
@@ -76,6 +76,15 @@ impl Platform<'_> {
     /// A channel that makes no sense ends the run with an error that names this model.
     pub fn tune_radio(&mut self, radio: RadioHandle, channel: Channel) {
         self.command(radio, Command::Tune(channel));
+    }
+
+    /// Changes the power at a radio's antenna, and what it draws while it sends. Datasheets list both by
+    /// level: [`cc2420::pa_level`](simbeeotic_radio::cc2420::pa_level) for a CC2420; of another radio
+    /// take `tx_power` and `currents.tx` of its [`RadioSpec`] at the level.
+    ///
+    /// Numbers that make no sense end the run with an error that names this model.
+    pub fn set_power(&mut self, radio: RadioHandle, level: PowerLevel, current: Current) {
+        self.command(radio, Command::Power { level, current });
     }
 
     /// What a radio is doing. Idle if there is no channel.

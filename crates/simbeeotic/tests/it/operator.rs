@@ -1,7 +1,7 @@
 //! Platforms that do with their radios what a script says, for tests.
 
 use simbeeotic::prelude::*;
-use simbeeotic::radio::{Channel, Loss as Lost};
+use simbeeotic::radio::{Channel, Loss as Lost, cc2420};
 use simbeeotic::scenario::{Request, load_text};
 use simbeeotic_model::{Component, ComponentError, Mark, Note, Simulation, Summary, View};
 use std::sync::{Arc, Mutex};
@@ -74,6 +74,11 @@ impl Operator {
             ["tune", _, channel] => {
                 let channel = channel.parse().expect("a number");
                 me.tune_radio(radio, Channel::ieee802154(channel).expect("a channel"));
+            }
+            ["power", _, level] => {
+                let level = level.parse().expect("a number");
+                let (level, current) = cc2420::pa_level(level).expect("a level");
+                me.set_power(radio, level, current);
             }
             ["turn", _, degrees] => {
                 let about = Angle::from_degrees(degrees.parse().expect("a number"));

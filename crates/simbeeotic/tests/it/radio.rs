@@ -364,3 +364,54 @@ fn an_antenna_off_centre_goes_with_the_body_as_it_pitches() {
     // Friis over sqrt(125) m, 5 m and 15 m.
     assert_eq!(heard, ["-61.0 dBm", "-54.0 dBm", "-63.6 dBm"]);
 }
+
+#[test]
+fn a_dipole_tilts_with_the_body() {
+    // Broadside to bob it has 2.15 dBi, at 30 degrees from its axis -5.43, along the axis next to nothing.
+    let dipole = "radio = { use = \"cc2420\", antenna = \"half-wave-dipole\" }";
+    let script = [
+        "100 send radio upright",
+        "200 turn radio 60",
+        "300 send radio tilted",
+        "400 turn radio -90",
+        "500 send radio tilted",
+    ];
+    for channel in [SIMPLE, IEEE] {
+        let tower = Cast {
+            kind: "test-tower",
+            radios: dipole,
+            ..Cast::bee("tower", 0.0, &script)
+        };
+        let said = play(channel, &[tower, Cast::bee("bob", 10.0, &[])]);
+        let said = by("bob", &said.unwrap_or_else(|e| panic!("{e}")));
+        let heard: Vec<&str> = said
+            .iter()
+            .filter_map(|line| line.split(" with ").nth(1))
+            .collect();
+        // -60.07 dBm without a gain, by Friis; then the gain.
+        assert_eq!(heard, ["-57.9 dBm", "-65.5 dBm", "-65.5 dBm"], "{channel}");
+    }
+}
+
+#[test]
+fn a_new_power_level_is_heard_and_drawn() {
+    let script = [
+        "100 send radio loud",
+        "200 power radio 3",
+        "300 send radio low",
+        "400 power radio 31",
+        "500 send radio loud",
+    ];
+    for channel in [SIMPLE, IEEE] {
+        let cast = [Cast::bee("ann", 0.0, &script), Cast::bee("bob", 10.0, &[])];
+        let said = by(
+            "bob",
+            &play(channel, &cast).unwrap_or_else(|e| panic!("{e}")),
+        );
+        let heard: Vec<&str> = said
+            .iter()
+            .filter_map(|line| line.split(" with ").nth(1))
+            .collect();
+        assert_eq!(heard, ["-60.1 dBm", "-85.1 dBm", "-60.1 dBm"], "{channel}");
+    }
+}
