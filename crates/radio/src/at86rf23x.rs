@@ -3,7 +3,7 @@
 //! | number | AT86RF230 | AT86RF233 | source |
 //! |---|---|---|---|
 //! | data rate | 250 kbit/s | 250 kbit/s | IEEE 802.15.4 |
-//! | frame overhead | 17 bytes | 17 bytes | as [`cc2420`](crate::cc2420) |
+//! | frame overhead | 17 bytes | 17 bytes | as [`cc2420`] |
 //! | power levels (`TX_PWR`) | [`RF230_LEVELS`] | [`RF233_LEVELS`] | datasheets 5131 and 8351; RF230's also the original Simbeeotic |
 //! | transmit | 16.5 mA at 3 dBm, 9.5 mA at -17.2 dBm | 13.8 mA at 4 dBm, 11.8 mA at 0 dBm, 7.2 mA at -17 dBm | datasheets; the original Simbeeotic |
 //! | receive | 15.5 mA | 11.8 mA | datasheets |

@@ -38,7 +38,7 @@ mod dipole;
 mod fast;
 mod isotropic;
 mod patch;
-mod pattern;
+pub mod pattern;
 
 pub use cosine::Cosine;
 pub use dipole::{HalfWaveDipole, ShortDipole};
