@@ -32,6 +32,20 @@
 //! message Reading  { google.protobuf.Timestamp timestamp = 1; string sensor = 2;
 //!                    repeated string names = 3; repeated string units = 4;   // one row
 //!                    repeated double truth = 5; repeated double reading = 6; } // whole rows
+//! message Packet   { google.protobuf.Timestamp timestamp = 1; string sender = 2; string radio = 3; int32 channel = 4;
+//!                    double frequency_hz = 5; string destination = 6; int32 bytes = 7; int32 payload_bytes = 8;
+//!                    int64 airtime_ns = 9; double power_dbm = 10; foxglove.Vector3 position = 11;
+//!                    repeated string receivers = 12; repeated float rssi_dbm = 13; repeated float snr_db = 14;
+//!                    repeated int32 lqi = 15; repeated int64 delay_ns = 16; }
+//! message Radio    { google.protobuf.Timestamp timestamp = 1; double period_s = 2; string radio = 3;
+//!                    int64 sent = 4; int64 received = 5; int64 overheard = 6;          // in the period
+//!                    repeated string reasons = 7; repeated int64 lost = 8;
+//!                    int64 sent_total = 9; int64 received_total = 10; int64 overheard_total = 11;
+//!                    repeated int64 lost_total = 12; }                                 // since the start
+//! message Links    { google.protobuf.Timestamp timestamp = 1; double period_s = 2; repeated string radios = 3;
+//!                    repeated int32 from = 4; repeated int32 to = 5;                   // places in radios
+//!                    repeated int32 sent = 6; repeated int32 received = 7;
+//!                    repeated float rssi_dbm = 8; repeated float distance_m = 9; }
 //! ```
 //!
 //! The metadata record `run` holds `version`, `seed`, `scenario` and `precision`, the metadata

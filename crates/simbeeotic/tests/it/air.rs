@@ -1,6 +1,6 @@
 //! What a recording has of the air: packets, links and counters of a swarm that can be counted by hand.
 
-use crate::program::Program;
+use crate::program::{Program, shipped};
 
 /// Three bees that hang in a row, 10 m apart, and speak at 0, 1 and 2 s; they hear each other up to 15 m.
 const ROW: &str = r#"
@@ -244,4 +244,55 @@ fn what_is_not_recorded_is_said_with_the_way_to_have_it() {
         "component.recorder.radio_period=0 s",
     ]);
     assert_eq!(call.code, Some(2), "{}", call.err);
+}
+
+#[test]
+fn packets_links_and_counters_agree_with_the_summary_on_every_medium() {
+    let program = Program::new();
+    let scenario = shipped("scenarios/talk.toml");
+    for medium in ["simple", "ieee802154"] {
+        let set = format!("channel.medium={medium}");
+        let run = [
+            scenario.as_str(),
+            "--end-time",
+            "4.5 s",
+            "--record",
+            "row.mcap",
+        ];
+        let summary = program.summary(&[&run[..], &["--set", &set]].concat());
+        let told = |key: &str| summary["packets"][key].as_f64().expect("a number");
+
+        let text = exported(&program, "--packets", &[]);
+        let rows = table(&text);
+        let received = rows.iter().filter(|row| !field(row, "receiver").is_empty());
+        assert_eq!(
+            received.clone().count() as f64,
+            told("received"),
+            "{medium}"
+        );
+        let mut sent: Vec<_> = rows
+            .iter()
+            .map(|row| (field(row, "radio"), field(row, "time_ns")))
+            .collect();
+        sent.sort_unstable();
+        sent.dedup();
+        assert_eq!(sent.len() as f64, told("sent"), "{medium}");
+        for row in received {
+            let delay_s = number(row, "received_s") - number(row, "time_s");
+            let airtime_s = match medium {
+                "simple" => 0.0,
+                _ => number(row, "airtime_s"),
+            };
+            assert!((delay_s - airtime_s).abs() < 1e-8, "{medium}: {delay_s}");
+        }
+
+        let text = exported(&program, "--links", &[]);
+        let sum: f64 = table(&text).iter().map(|row| number(row, "received")).sum();
+        assert_eq!(sum, told("received"), "{medium}");
+        let text = exported(&program, "--radio", &[]);
+        for key in ["sent", "received"] {
+            let sum: f64 = table(&text).iter().map(|row| number(row, key)).sum();
+            assert_eq!(sum, told(key), "{medium}");
+        }
+    }
 }

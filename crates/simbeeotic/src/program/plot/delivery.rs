@@ -7,17 +7,21 @@ use super::palette::series;
 use super::sheet::{Anchor, FAINT, HEAD, SMALL, Sheet};
 use super::source::Source;
 use super::stats::{BINS_MAX, Bins, quantile, wilson};
-use simbeeotic_record::Links;
+use simbeeotic_record::{Link, Links};
 use simbeeotic_units::Length;
 
 /// About so many bins, unless their width is said.
 const BINS: f64 = 30.0;
+/// RSSI falls steeply within a bin: narrow ones spread less.
+const BINS_RSSI: f64 = 60.0;
+/// How far beyond the farthest reception delivery is drawn.
+const MARGIN: f64 = 1.2;
 /// Of more dots a picture is not clearer.
 const DOTS_MAX: usize = 4000;
 
 /// Delivery ratio over distance, and below how many frames it is the ratio of.
 pub(super) fn delivery(source: &Source, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (bins, caption) = binned(source, options)?;
+    let (bins, caption) = binned(source, options, BINS, MARGIN)?;
     let [width, height] = options.plot.size();
     let title = options.plot.title("Delivery over distance");
     let mut sheet = Sheet::titled(width, height, title, &caption);
@@ -54,7 +58,7 @@ pub(super) fn delivery(source: &Source, options: &DistanceOptions) -> Result<She
 
 /// RSSI of what was received over distance.
 pub(super) fn rssi(source: &Source, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (mut bins, caption) = binned(source, options)?;
+    let (mut bins, caption) = binned(source, options, BINS_RSSI, 1.0)?;
     let dots = scattered(source)?;
     if dots.is_empty() {
         return Err(Failure::input(format!(
@@ -104,36 +108,42 @@ pub(super) fn rssi(source: &Source, options: &DistanceOptions) -> Result<Sheet, 
 }
 
 /// The links by distance, and what the picture is of.
-fn binned(source: &Source, options: &DistanceOptions) -> Result<(Bins, String), Failure> {
+fn binned(
+    source: &Source,
+    options: &DistanceOptions,
+    count: f64,
+    margin: f64,
+) -> Result<(Bins, String), Failure> {
     let links = source.links()?;
-    let distances = || {
-        links
-            .iter()
-            .flat_map(|l| &l.links)
-            .map(|l| f64::from(l.distance_m))
+    let all = || links.iter().flat_map(|l| &l.links);
+    let farthest = |m: f64, link: &Link| m.max(f64::from(link.distance_m));
+    let farthest_m = all().fold(0.0, farthest);
+    let heard_m = all().filter(|link| link.received > 0).fold(0.0, farthest);
+    let reach_m = match heard_m > 0.0 {
+        true => farthest_m.min(heard_m * margin),
+        false => farthest_m,
     };
-    let farthest_m = distances().fold(0.0, f64::max);
     let width_m = match &options.bin {
-        None => nice((farthest_m / BINS).max(1e-3)),
-        Some(text) => bin_width(text, farthest_m)?,
+        None => nice((reach_m / count).max(1e-3)),
+        Some(text) => bin_width(text, reach_m)?,
     };
-    let mut bins = Bins::new(width_m);
+    let mut bins = Bins::new(width_m, reach_m);
     links.iter().for_each(|links| bins.add(links));
     let caption = caption(source, &links, &bins);
     Ok((bins, caption))
 }
 
-fn bin_width(text: &str, farthest_m: f64) -> Result<f64, Failure> {
+fn bin_width(text: &str, reach_m: f64) -> Result<f64, Failure> {
     let width: Length = text
         .parse()
         .map_err(|error| Failure::input(format!("--bin: {error}")))?;
     let width_m = width.metres();
-    if width_m > 0.0 && farthest_m / width_m < BINS_MAX as f64 {
+    if width_m > 0.0 && reach_m / width_m < BINS_MAX as f64 {
         return Ok(width_m);
     }
     Err(Failure::input(format!(
         "--bin {width}: it must be more than zero, and at most {BINS_MAX} of them reach as far as the \
-         links, {farthest_m:.1} m"
+         receptions, {reach_m:.1} m"
     )))
 }
 
@@ -146,11 +156,17 @@ fn caption(source: &Source, links: &[Links], bins: &Bins) -> String {
     let sum = |part: fn(&super::stats::Bin) -> u64| -> String {
         grouped(&bins.bins.iter().map(part).sum::<u64>().to_string())
     };
-    let more = format!(
+    let mut more = format!(
         "{radios} radios, {} of {} possible receptions",
         sum(|bin| bin.received),
         sum(|bin| bin.sent)
     );
+    if bins.beyond > 0 {
+        more += &format!(
+            "; none of {} farther away",
+            grouped(&bins.beyond.to_string())
+        );
+    }
     source.caption(first, last, &more)
 }
 

@@ -47,24 +47,33 @@ pub(super) struct Bin {
 pub(super) struct Bins {
     pub(super) width_m: f64,
     pub(super) bins: Vec<Bin>,
+    /// There are no more than so many bins.
+    most: usize,
+    /// Frames of links that are longer than all bins.
+    pub(super) beyond: u64,
 }
 
 /// More bins than this are a slip of the keyboard.
 pub(super) const BINS_MAX: usize = 1000;
 
 impl Bins {
-    pub(super) fn new(width_m: f64) -> Self {
+    /// No bins yet, and as many as it takes to reach a distance, at most [`BINS_MAX`].
+    pub(super) fn new(width_m: f64, reach_m: f64) -> Self {
+        let most = (reach_m / width_m).floor() as usize + 1;
         Self {
             width_m,
             bins: Vec::new(),
+            most: most.min(BINS_MAX),
+            beyond: 0,
         }
     }
 
-    /// Adds the links of a period. Those beyond the last possible bin are left out.
+    /// Adds the links of a period.
     pub(super) fn add(&mut self, links: &Links) {
         for link in &links.links {
             let place = (f64::from(link.distance_m) / self.width_m).floor();
-            if !(0.0..BINS_MAX as f64).contains(&place) {
+            if !(0.0..self.most as f64).contains(&place) {
+                self.beyond += u64::from(link.sent);
                 continue;
             }
             let place = place as usize;
@@ -147,7 +156,7 @@ mod tests {
 
     #[test]
     fn bins_hold_the_frames_of_their_distances() {
-        let mut bins = Bins::new(2.0);
+        let mut bins = Bins::new(2.0, 7.9);
         bins.add(&Links {
             links: vec![
                 link(0.0, 10, 10, -40.0),
@@ -163,6 +172,7 @@ mod tests {
         assert_eq!(bins.bins[0].rssi_dbm, [(-40.0, 10), (-45.0, 4)]);
         assert!(bins.bins[3].rssi_dbm.is_empty());
         assert_eq!((bins.middle_m(1), bins.end_m()), (3.0, 8.0));
+        assert_eq!(bins.beyond, 9);
     }
 
     #[test]
