@@ -5,9 +5,6 @@
 //! | vehicles | [`vehicle::simple_bee`] |
 //! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`], [`behavior::charging_hive`], [`behavior::forager`], [`behavior::balloon`], [`behavior::scent`], [`behavior::beacon_bee`], [`behavior::flood_bee`], [`behavior::slot_bee`] |
 //! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`], [`sensor::battery`], [`sensor::motor`], [`sensor::link`], [`sensor::clock`] |
-//! | radios | [`radio::cc2420`], [`radio::at86rf23x`], [`radio::nrf24`], [`radio::nrf51`], [`radio::sx127x`], [`radio::generic`] |
-//! | antennas | [`antenna::isotropic`], [`antenna::short_dipole`], [`antenna::half_wave_dipole`], [`antenna::patch`], [`antenna::cosine`], [`antenna::pattern`] |
-//! | propagation | [`propagation::free_space`], [`propagation::log_distance`], [`propagation::two_ray`], [`propagation::two_ray_exact`] |
 //! | fading | [`fading::rayleigh`], [`fading::rician`], [`fading::nakagami`] |
 //! | layers on radio | [`net`]: neighbours, flooding, time slots |
 //! | generators of worlds | [`generator`] |

@@ -57,7 +57,7 @@
 //! | layer | trait | here |
 //! |---|---|---|
 //! | which way the power goes | [`Antenna`] | [`Isotropic`], [`ShortDipole`], [`HalfWaveDipole`], [`Patch`], [`Cosine`], [`Pattern`] |
-//! | what is left of it | [`Propagation`] | [`FreeSpace`], [`LogDistance`], [`TwoRay`], [`TwoRayExact`], [`Composite`] |
+//! | what is left of it | [`Propagation`] | [`FreeSpace`], [`LogDistance`], [`TwoRay`], [`TwoRayExact`], [`LinkTable`], [`Composite`] |
 //! | what chance adds to that | [`Shadowing`]; [`Fading`] | [`Rayleigh`], [`Rician`], [`Nakagami`] |
 //! | whether that is enough | [`ErrorModel`] | [`Cc2420Curve`], [`Threshold`] |
 //! | what the radio is | [`RadioSpec`], a record | [`cc2420`], [`at86rf23x`], [`nrf`], [`sx127x`] |
@@ -112,8 +112,8 @@ pub use ledger::Usage;
 pub use medium::{Command, Medium, Poses};
 pub use phy::{Access, Acks, BitErrors, Cca, CcaMode, Csma, LinkQuality, OqpskDsss, Phy, Spacing};
 pub use propagation::{
-    Composite, End, FrameKeys, FreeSpace, Ground, Link, Links, LogDistance, Polarisation,
-    Propagation, Role, TwoRay, TwoRayExact, TwoRayForm,
+    Composite, End, FrameKeys, FreeSpace, Ground, Link, LinkTable, Links, LogDistance, MissingLink,
+    Polarisation, Propagation, Role, TableFault, TwoRay, TwoRayExact, TwoRayForm,
 };
 pub use radio::{Currents, Framing, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;

@@ -1,6 +1,7 @@
 //! Propagation: what is lost between two antennas.
 
 pub mod free_space;
+pub mod link_table;
 pub mod log_distance;
 pub mod two_ray;
 pub mod two_ray_exact;

@@ -7,6 +7,7 @@
 
 mod composite;
 mod free_space;
+mod link_table;
 mod log_distance;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -15,6 +16,7 @@ mod two_ray_exact;
 
 pub use composite::Composite;
 pub use free_space::FreeSpace;
+pub use link_table::{LinkTable, MissingLink, TableFault};
 pub use log_distance::LogDistance;
 pub use two_ray::{TwoRay, TwoRayForm};
 pub use two_ray_exact::{Ground, Polarisation, TwoRayExact};

@@ -12,4 +12,5 @@ mod plot;
 mod program;
 mod radio;
 mod shelf;
+mod walls;
 mod world;

@@ -1,0 +1,93 @@
+//! Measured gains of links from a file.
+
+use simbeeotic_model::radio::{Link, LinkTable, Links, MissingLink, Propagation};
+use simbeeotic_model::units::Decibels;
+use simbeeotic_model::{BuildError, FromParams, Site, choice, params, propagation};
+
+/// Faults shown of one file.
+const SHOWN: usize = 20;
+
+/// The gains of links as they were measured: a real deployment replayed. Where the ends are does not matter.
+///
+/// The file has lines of `tx, rx, loss_db` (or `gain_db`) below a header that names the columns, and
+/// `time_s` where gains change: a gain holds until the next of its link. Names are paths: `bee-3`, which
+/// stands for its radio called `radio`, or `bee-3/long`. Losses are 0 dB to 300 dB, antennas not included.
+/// Lines that start with `#` are skipped. `range_limit` counts as ever: set it to more than the longest
+/// distance.
+#[propagation("link-table")]
+#[derive(Debug)]
+pub struct LinkTablePropagation(LinkTable);
+
+/// What becomes of a link that is not in the file.
+#[choice]
+pub enum Missing {
+    /// Nothing comes through.
+    Lost,
+    /// It is one of free space.
+    FreeSpace,
+}
+
+/// Parameters of [`LinkTablePropagation`].
+#[params]
+pub struct LinkTableParams {
+    /// The file, beside the scenario.
+    pub file: String,
+    /// Whether each line holds in both directions.
+    pub symmetric: bool,
+    /// What becomes of a link that is not in the file.
+    pub missing: Missing,
+}
+
+impl Default for LinkTableParams {
+    fn default() -> Self {
+        Self {
+            file: String::new(),
+            symmetric: false,
+            missing: Missing::Lost,
+        }
+    }
+}
+
+impl FromParams for LinkTablePropagation {
+    type Params = LinkTableParams;
+
+    fn from_params(params: LinkTableParams) -> Result<Self, BuildError> {
+        Self::for_run(params, &Site::default())
+    }
+
+    fn for_run(params: LinkTableParams, site: &Site<'_>) -> Result<Self, BuildError> {
+        if params.file.is_empty() {
+            let message = "must name a file with the columns tx, rx and gain_db or loss_db";
+            return Err(BuildError::parameter("file", message));
+        }
+        let path = site.file(&params.file);
+        let name = path.display();
+        let text = std::fs::read_to_string(&path).map_err(|error| {
+            BuildError::parameter("file", format!("cannot be read: {name}: {error}"))
+        })?;
+        let missing = match params.missing {
+            Missing::Lost => MissingLink::Lost,
+            Missing::FreeSpace => MissingLink::FreeSpace,
+        };
+        let table = LinkTable::read(&text, params.symmetric, missing).map_err(|faults| {
+            let more = faults.len().saturating_sub(SHOWN);
+            let shown = faults.iter().take(SHOWN);
+            let mut lines: Vec<String> = shown.map(|fault| format!("{name}:{fault}")).collect();
+            if more > 0 {
+                lines.push(format!("and {more} more"));
+            }
+            BuildError::parameter("file", format!("cannot be used: {}", lines.join("; ")))
+        })?;
+        Ok(Self(table))
+    }
+}
+
+impl Propagation for LinkTablePropagation {
+    fn loss(&self, link: &Link) -> Decibels {
+        self.0.loss(link)
+    }
+
+    fn gains(&self, links: &Links<'_>, gains: &mut [f32]) {
+        self.0.gains(links, gains);
+    }
+}
