@@ -15,11 +15,17 @@ const N: usize = 256;
 
 fn rows(c: &mut Criterion) {
     let mut stream = Stream::new(1, "bench", "rows");
-    let places: Vec<[f32; 3]> = (0..N).map(|_| stream.in_ball(50.0).as_vec3().to_array()).collect();
+    let places: Vec<[f32; 3]> = (0..N)
+        .map(|_| stream.in_ball(50.0).as_vec3().to_array())
+        .collect();
     let axis = |i: usize| -> Vec<f32> { places.iter().map(|p| p[i] + 60.0).collect() };
     let far = [axis(0), axis(1), axis(2)];
     let near = [60.0f32; 3];
-    let square = |j: usize| (0..3).map(|i| (far[i][j] - near[i]) * (far[i][j] - near[i])).sum();
+    let square = |j: usize| {
+        (0..3)
+            .map(|i| (far[i][j] - near[i]) * (far[i][j] - near[i]))
+            .sum()
+    };
     let squares: Vec<f32> = (0..N).map(square).collect();
     let keys: Vec<u64> = (0..N as u64).map(mix).collect();
     let links = Links {
@@ -33,7 +39,10 @@ fn rows(c: &mut Criterion) {
         distances_squared_m2: &squares,
         frames: FrameKeys::One(mix(9)),
     };
-    let exponent = |exponent: f64| LogDistance { exponent, ..LogDistance::default() };
+    let exponent = |exponent: f64| LogDistance {
+        exponent,
+        ..LogDistance::default()
+    };
     let on = |shadowing: Option<Shadowing>, fading: Option<Arc<dyn Fading>>| Composite {
         path: Arc::new(FreeSpace),
         shadowing,
@@ -46,11 +55,23 @@ fn rows(c: &mut Criterion) {
         ("log-distance 2.7", Box::new(exponent(2.7))),
         ("two-ray", Box::new(TwoRay::default())),
         ("two-ray-exact", Box::new(TwoRayExact::default())),
-        ("shadowing field", Box::new(on(Some(Shadowing::field(1, sigma, distance)), None))),
-        ("shadowing links", Box::new(on(Some(Shadowing::links(1, sigma)), None))),
+        (
+            "shadowing field",
+            Box::new(on(Some(Shadowing::field(1, sigma, distance)), None)),
+        ),
+        (
+            "shadowing links",
+            Box::new(on(Some(Shadowing::links(1, sigma)), None)),
+        ),
         ("rayleigh", Box::new(on(None, Some(Arc::new(Rayleigh))))),
-        ("rician", Box::new(on(None, Some(Arc::new(Rician::new(sigma)))))),
-        ("nakagami", Box::new(on(None, Some(Arc::new(Nakagami::ns3()))))),
+        (
+            "rician",
+            Box::new(on(None, Some(Arc::new(Rician::new(sigma))))),
+        ),
+        (
+            "nakagami",
+            Box::new(on(None, Some(Arc::new(Nakagami::ns3())))),
+        ),
     ];
     let mut group = c.benchmark_group("row");
     group.throughput(Throughput::Elements(N as u64));
