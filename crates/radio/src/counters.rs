@@ -12,7 +12,7 @@ pub enum Loss {
     OutOfRange,
     /// Not received: weaker than the radio's sensitivity.
     BelowSensitivity,
-    /// Not received: spoilt by noise.
+    /// Not received: spoilt by noise; or by mere chance, where the medium knows no noise.
     Noise,
     /// Not received: spoilt by another frame.
     Collision,

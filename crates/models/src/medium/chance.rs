@@ -1,6 +1,8 @@
 //! What the media that deliver by chance have in common.
 
-use simbeeotic_model::radio::{Delivery, DeliveryCurve, Medium, SimpleConfig, SimpleMedium};
+use simbeeotic_model::radio::{
+    Delivery, DeliveryCurve, Medium, RadioError, SimpleConfig, SimpleMedium,
+};
 use simbeeotic_model::units::Length;
 use simbeeotic_model::{Air, BuildError};
 
@@ -18,7 +20,13 @@ pub(super) fn curve(
         (_, Some(points)) => (points_key, DeliveryCurve::new(points)),
         (level, None) => (level_key, DeliveryCurve::level(level.unwrap_or(1.0))),
     };
-    curve.map_err(|fault| BuildError::parameter(key, fault.to_string()))
+    let verb = if points.is_some() { "has" } else { "is" };
+    curve.map_err(|fault| match fault {
+        RadioError::OutOfRange { got, expected, .. } => {
+            BuildError::parameter(key, format!("{verb} {got}: expected {expected}"))
+        }
+        other => other.into(),
+    })
 }
 
 /// The medium that delivers so.

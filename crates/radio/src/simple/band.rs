@@ -187,7 +187,7 @@ impl Band {
         share: f64,
     ) {
         let count = self.members.owners.len();
-        if !self.near.review_due(now) && self.near.wide() && self.near.holds(now, poses, count) {
+        if self.near.wide() && self.near.holds(now, poses, count) {
             self.by_grid = true;
             // Some members will be placed, others not.
             self.posed = None;

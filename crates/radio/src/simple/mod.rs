@@ -13,6 +13,11 @@
 //! and sigma, independently for each frame and receiver, and the radio's error model says how likely
 //! the frame survives that ratio of signal to noise.
 //!
+//! Instead, [`Delivery`] may say outright with which chance a frame within range gets through: over
+//! distance ([`DeliveryCurve`], Bernoulli trials), or over distance and by the state that the link is in
+//! ([`GilbertElliott`], losses in bursts). Sensitivity, noise and error model are not asked then, and what
+//! is lost counts as lost by noise.
+//!
 //! # What it does not model
 //!
 //! Collisions, a busy channel, half duplex, delay: 550 radios that all speak at the same moment hear
@@ -26,6 +31,12 @@
 //! receiver, in parallel. Both go through the functions of `pair`, and agree to the bit. The noise is
 //! folded into a table of the chance of reception over received power (`success`); one hashed draw,
 //! named by seed, frame and receiver, decides.
+//!
+//! In a band that is wide against the reach of its frames, most pairs are out of range. A grid (`near`)
+//! finds those that may not be. By frame, it is a grid of the members as they were some time ago, searched
+//! farther by what they may have travelled since ([`Poses::odometer`](crate::Poses::odometer)), so that
+//! radios that each send at a time of their own do not pay for the positions of all others. By receiver, it
+//! is one of the frames of this round. Which way is taken is a matter of cost, and changes no bit.
 //!
 //! Pairs are worked in f32. Within 10 km of the origin a coordinate is then right to half a millimetre,
 //! and the power over 1 m or more to 0.01 dB. The reported RSSI is that power; only the chance of

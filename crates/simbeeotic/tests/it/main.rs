@@ -3,6 +3,7 @@
 mod air;
 mod book;
 mod bounds;
+mod chance;
 mod commands;
 mod determinism;
 mod golden;
