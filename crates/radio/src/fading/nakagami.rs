@@ -282,7 +282,7 @@ mod tests {
         for m in [0.5, 0.75, 1.5, 5.0] {
             let gamma = Gamma::new(m);
             let tails = (1..24).flat_map(|i| {
-                let tail = 1.37 * (0.5f32).powi(i);
+                let tail = 1.37 / (1u32 << i) as f32;
                 [tail, 1.0 - tail]
             });
             for u in tails.filter(|u| (1e-7..1.0 - 1e-7).contains(u)) {
