@@ -56,7 +56,7 @@ fn number(row: &[(&str, &str)], name: &str) -> f64 {
 /// Free space at 2.425 GHz, channel 15, from 0 dBm.
 fn rssi_dbm(distance_m: f64) -> f64 {
     let wavelength_m = 299_792_458.0 / 2.425e9;
-    20.0 * (wavelength_m / (4.0 * std::f64::consts::PI * distance_m)).log10()
+    20.0 * simbeeotic_units::math::log10(wavelength_m / (4.0 * std::f64::consts::PI * distance_m))
 }
 
 fn flown() -> Program {

@@ -55,11 +55,14 @@ impl Axis {
 
 /// The least of 1, 2 and 5 times a power of ten that is not below a number above zero.
 pub(super) fn nice(least: f64) -> f64 {
-    let power = math::log10(least).floor();
-    let whole = power as i32;
-    let scaled = |digit: f64| match whole {
-        0.. => digit * 10_f64.powi(whole),
-        _ => digit / 10_f64.powi(-whole),
+    let power = math::log10(least).floor().clamp(-300.0, 300.0) as i32;
+    let tens = (0..power.abs()).fold(1.0, |tens, _| tens * 10.0);
+    let scaled = |digit: f64| {
+        if power < 0 {
+            digit / tens
+        } else {
+            digit * tens
+        }
     };
     let digits = [1.0, 2.0, 5.0, 10.0].map(scaled);
     let fits = digits.into_iter().find(|d| *d >= least * (1.0 - 1e-9));
