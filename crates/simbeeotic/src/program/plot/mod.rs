@@ -5,8 +5,8 @@
 //! letters are part of the program ([`font`]), so that a picture is the same everywhere. [`axes`] and
 //! [`palette`] are for all kinds.
 //!
-//! A plotting library would have been kuva (95,000 lines for what takes 500 here) or plotters (no map of
-//! links, and no letters without the system's); both would have to be told where every line goes.
+//! There is no plotting library below it: kuva has 95,000 lines, and neither it nor plotters was tried; a
+//! map of links would have to be drawn line by line with either.
 
 mod axes;
 mod delivery;
