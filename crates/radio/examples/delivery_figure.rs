@@ -45,12 +45,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         points: sweep(true, || Box::new(simple()))?,
         dots: Vec::new(),
     });
-    for line in &lines {
-        println!(
-            "{}: {:.3?}; ns-3: {:.3?}",
-            line.label, line.points, line.dots
-        );
-    }
     let picture = repository.join("docs/images/delivery.svg");
     std::fs::write(picture, draw(&lines))?;
     Ok(())

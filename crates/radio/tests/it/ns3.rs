@@ -158,7 +158,6 @@ fn agrees(phases: &str) {
         let near = (ours.ratio - theirs.ratio).abs() <= ratio
             && (ours.failures - theirs.failures).abs() <= 0.015
             && (ours.delay_ms - theirs.delay_ms).abs() <= 0.03 * theirs.delay_ms;
-        println!("{line}");
         if !near {
             wrong.push(line);
         }
