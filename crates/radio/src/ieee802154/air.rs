@@ -4,7 +4,6 @@ use super::Quirks;
 use super::members::Source;
 use crate::phy::BitErrors;
 use simbeeotic_kernel::rng::draw_u32;
-use simbeeotic_units::math;
 use std::fmt;
 use std::sync::Arc;
 
@@ -131,34 +130,9 @@ pub(super) fn luck(key: u64, salt: u32) -> f64 {
     (f64::from(draw_u32(key, salt)) + 0.5) * (1.0 / 4_294_967_296.0)
 }
 
-/// Whether `luck` is below the chance with this logarithm.
-#[inline]
-pub(super) fn survives(luck: f64, ln_success: f64) -> bool {
-    // 1 + l <= exp(l) <= 1 / (1 - l) for l <= 0: most are decided without an exponential.
-    if luck < 1.0 + ln_success {
-        true
-    } else if luck * (1.0 - ln_success) >= 1.0 {
-        false
-    } else {
-        luck < math::exp(ln_success)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn shortcuts_decide_as_the_exponential_does() {
-        for i in 0..400 {
-            let ln_success = -f64::from(i * i) * 1e-4;
-            for j in 0..200 {
-                let luck = (f64::from(j) + 0.5) / 200.0;
-                let slow = luck < math::exp(ln_success);
-                assert_eq!(survives(luck, ln_success), slow, "{luck} {ln_success}");
-            }
-        }
-    }
 
     #[test]
     fn ns3_rounds_bits_up() {

@@ -12,8 +12,10 @@
 //! The logarithm of a bit's chance comes from a table with straight lines between its steps.
 
 use super::Quirks;
-use super::air::{Air, Modulation, OnAir, Receiver, Reception, Taking, Tally, luck, survives};
+use super::air::{Air, Modulation, OnAir, Receiver, Reception, Taking, Tally};
+use crate::fast::exp2;
 use crate::scratch::ROW;
+use simbeeotic_kernel::rng::draw_u32;
 use simbeeotic_units::math;
 
 /// The air in columns.
@@ -35,8 +37,14 @@ pub(super) struct FastAir {
     one_modulation: bool,
     /// The frame that a row is taking in; 0 is none.
     locks: Vec<u32>,
-    /// Frames heard since the books were last brought up to date.
+    /// What the luck of a row hangs on.
+    salts: Vec<u32>,
+    /// Time spent in frames, ns.
+    rx_ns: Vec<u64>,
+    /// Frames heard, got and spoilt by noise since the books were last brought up to date.
     heard: Vec<u32>,
+    got: Vec<u32>,
+    spoilt: Vec<u32>,
     started: u32,
     books: Vec<Tally>,
 
@@ -67,7 +75,11 @@ impl FastAir {
             thresholds_mw: Vec::new(),
             one_modulation: true,
             locks: Vec::new(),
+            salts: Vec::new(),
+            rx_ns: Vec::new(),
             heard: Vec::new(),
+            got: Vec::new(),
+            spoilt: Vec::new(),
             started: 0,
             books: Vec::new(),
             since_ns: 0,
@@ -81,8 +93,10 @@ impl FastAir {
     /// Before a column of 32 bits overflows.
     fn settle(&mut self) {
         self.started = 0;
-        for (book, heard) in self.books.iter_mut().zip(&mut self.heard) {
-            book.heard += u64::from(std::mem::take(heard));
+        for row in 0..self.books.len() {
+            self.books[row] = self.tally(row);
+            (self.heard[row], self.got[row], self.spoilt[row]) = (0, 0, 0);
+            self.rx_ns[row] = 0;
         }
     }
 
@@ -203,82 +217,91 @@ impl FastAir {
         }
     }
 
+    /// Ends a frame that was alone on the air.
     fn end_single(&mut self, frame: &OnAir, now_ns: u64, receptions: &mut Vec<Reception>) {
-        let n = self.receivers.len();
-        let airtime_ns = now_ns - frame.start_ns;
-        let table = &self.tables[frame.modulation as usize];
-        let bits = table.bits(airtime_ns as f32, self.quirks);
-        let counted = u64::from(frame.counted);
-        let powers = &frame.powers_mw[..n];
-        let receivers = &self.receivers[..n];
-        let (locks, books) = (&mut self.locks[..n], &mut self.books[..n]);
-        for j in 0..n {
-            if locks[j] != frame.id {
-                continue;
-            }
-            locks[j] = 0;
-            let sinr = powers[j] / receivers[j].noise_mw;
-            let ln_success = bits * table.ln_bit(sinr);
-            let luck = luck(frame.key, receivers[j].salt);
-            books[j].rx_ns += airtime_ns;
-            if survives(luck, ln_success.into()) {
-                books[j].got += counted;
-                receptions.push(Reception {
-                    row: j as u32,
-                    power_mw: powers[j],
-                    ln_success,
-                    sinr,
-                });
-            } else {
-                books[j].noise += counted;
-            }
-        }
         self.single = false;
+        self.conclude::<true>(frame, now_ns, receptions);
     }
 
     fn end_among_others(&mut self, frame: &OnAir, now_ns: u64, receptions: &mut Vec<Reception>) {
         // ns-3 does not look at interference that ends: it counts as if it had not been.
-        let closed = self.quirks == Quirks::None;
-        if closed {
+        if self.quirks == Quirks::None {
             self.close_interval(now_ns as u32);
         }
+        self.conclude::<false>(frame, now_ns, receptions);
+    }
+
+    /// Decides for each row that was taking in `frame` whether it came through, block by block. Rows
+    /// with another frame are reckoned as well, which costs less than asking.
+    fn conclude<const SINGLE: bool>(
+        &mut self,
+        frame: &OnAir,
+        now_ns: u64,
+        receptions: &mut Vec<Reception>,
+    ) {
         let n = self.receivers.len();
         let airtime_ns = now_ns - frame.start_ns;
-        let length_ns = (airtime_ns as f32).max(1.0);
-        let rest_ns = (now_ns as u32).wrapping_sub(self.since_ns) as f32;
         let table = &self.tables[frame.modulation as usize];
-        let rest_bits = table.bits(rest_ns, self.quirks);
-        let all_bits = table.bits(airtime_ns as f32, self.quirks);
-        let counted = u64::from(frame.counted);
-        let receivers = &self.receivers[..n];
-        let (locks, books) = (&mut self.locks[..n], &mut self.books[..n]);
-        let (totals, own) = (&self.totals_mw[..n], &self.powers_mw[..n]);
-        let (ln_success, energies) = (&self.ln_success[..n], &self.energies[..n]);
-        for j in 0..n {
-            if locks[j] != frame.id {
-                continue;
-            }
-            locks[j] = 0;
-            let (power_mw, noise_mw) = (own[j], receivers[j].noise_mw);
-            let (mut ln_success, mut energy) = (ln_success[j], energies[j]);
-            if !closed {
-                let others_mw = others_mw(totals[j], power_mw);
-                ln_success += rest_bits * table.ln_bit(power_mw / (noise_mw + others_mw));
-                energy += others_mw * rest_ns;
-            }
-            let luck = luck(frame.key, receivers[j].salt);
-            books[j].rx_ns += airtime_ns;
-            if survives(luck, ln_success.into()) {
-                books[j].got += counted;
-                receptions.push(Reception {
-                    row: j as u32,
-                    power_mw,
-                    ln_success,
-                    sinr: power_mw / (noise_mw + energy / length_ns),
-                });
+        let rest_ns = match SINGLE {
+            true => airtime_ns as f32,
+            false => (now_ns as u32).wrapping_sub(self.since_ns) as f32,
+        };
+        let whole = Whole {
+            airtime_ns,
+            rest_bits: table.bits(rest_ns, self.quirks),
+            all_bits: table.bits(airtime_ns as f32, self.quirks),
+            counted: u32::from(frame.counted),
+        };
+        let mut room = Room::default();
+        for first in (0..n).step_by(ROW) {
+            let rows = first..n.min(first + ROW);
+            let m = rows.len();
+            let own = match SINGLE {
+                true => &frame.powers_mw[rows.clone()],
+                false => &self.powers_mw[rows.clone()],
+            };
+            let noise = &self.noise_mw[rows.clone()];
+            if SINGLE {
+                room.others[..m].fill(0.0);
             } else {
-                let alone = all_bits * table.ln_bit(power_mw / noise_mw);
-                books[j].noise += counted & u64::from(!survives(luck, alone.into()));
+                let totals = &self.totals_mw[rows.clone()];
+                for ((other, &total), &own) in room.others.iter_mut().zip(totals).zip(own) {
+                    *other = others_mw(total, own);
+                }
+            }
+            room.reckon(table, own, noise);
+            let before = (!SINGLE).then(|| &self.ln_success[rows.clone()]);
+            room.chances(before, whole.rest_bits, m);
+            let salts = &self.salts[rows.clone()];
+            let columns = Columns {
+                locks: &mut self.locks[rows.clone()],
+                rx_ns: &mut self.rx_ns[rows.clone()],
+                got: &mut self.got[rows.clone()],
+            };
+            let (lucky, lost) = room.decide(frame, salts, columns, &whole);
+            for &at in &room.lucky[..lucky] {
+                let j = usize::from(at);
+                let energy = if SINGLE {
+                    0.0
+                } else {
+                    self.energies[first + j] + room.others[j] * rest_ns
+                };
+                let interference_mw = energy / (airtime_ns as f32).max(1.0);
+                receptions.push(Reception {
+                    row: (first + j) as u32,
+                    power_mw: own[j],
+                    ln_success: room.ln_success[j],
+                    sinr: own[j] / (noise[j] + interference_mw),
+                });
+            }
+            for &at in &room.lost[..lost] {
+                let j = usize::from(at);
+                let spoilt = SINGLE || {
+                    let luck = luck_24(frame.key, salts[j]);
+                    let alone = whole.all_bits * table.ln_bit(own[j] / noise[j]);
+                    luck >= chance(alone)
+                };
+                self.spoilt[first + j] += u32::from(spoilt) & whole.counted;
             }
         }
     }
@@ -318,7 +341,11 @@ impl Air for FastAir {
             self.noise_mw.resize(n, 1.0);
             self.thresholds_mw.resize(n, f32::INFINITY);
             self.locks.resize(n, 0);
+            self.salts.resize(n, 0);
+            self.rx_ns.resize(n, 0);
             self.heard.resize(n, 0);
+            self.got.resize(n, 0);
+            self.spoilt.resize(n, 0);
             self.books.resize(n, Tally::default());
             self.totals_mw.resize(n, 0.0);
             self.powers_mw.resize(n, 0.0);
@@ -336,7 +363,9 @@ impl Air for FastAir {
         let first = self.receivers[0].modulation;
         self.one_modulation = self.receivers.iter().all(|r| r.modulation == first);
         self.locks[row] = 0;
-        self.heard[row] = 0;
+        self.salts[row] = receiver.salt;
+        (self.heard[row], self.got[row], self.spoilt[row]) = (0, 0, 0);
+        self.rx_ns[row] = 0;
         self.books[row] = Tally::default();
         self.totals_mw[row] = 0.0;
         self.powers_mw[row] = 0.0;
@@ -356,7 +385,7 @@ impl Air for FastAir {
         };
         let taking = self.taking(row)?;
         self.locks[row] = 0;
-        self.books[row].rx_ns += now_ns - taking.since_ns;
+        self.rx_ns[row] += now_ns - taking.since_ns;
         self.books[row].dropped += u64::from(taking.counted);
         Some(taking)
     }
@@ -431,9 +460,142 @@ impl Air for FastAir {
         let book = self.books[row];
         Tally {
             heard: book.heard + u64::from(self.heard[row]),
-            ..book
+            got: book.got + u64::from(self.got[row]),
+            noise: book.noise + u64::from(self.spoilt[row]),
+            dropped: book.dropped,
+            rx_ns: book.rx_ns + self.rx_ns[row],
         }
     }
+}
+
+/// What is the same for all rows at the end of a frame.
+struct Whole {
+    airtime_ns: u64,
+    rest_bits: f32,
+    all_bits: f32,
+    counted: u32,
+}
+
+/// What the end of a frame writes into a block of rows.
+struct Columns<'a> {
+    locks: &'a mut [u32],
+    rx_ns: &'a mut [u64],
+    got: &'a mut [u32],
+}
+
+/// Working memory for a block of rows.
+struct Room {
+    others: [f32; ROW],
+    steps: [u32; ROW],
+    rests: [f32; ROW],
+    ln_bits: [f32; ROW],
+    ln_success: [f32; ROW],
+    lucks: [f32; ROW],
+    lucky: [u16; ROW],
+    lost: [u16; ROW],
+}
+
+impl Default for Room {
+    fn default() -> Self {
+        Self {
+            others: [0.0; ROW],
+            steps: [0; ROW],
+            rests: [0.0; ROW],
+            ln_bits: [0.0; ROW],
+            ln_success: [0.0; ROW],
+            lucks: [0.0; ROW],
+            lucky: [0; ROW],
+            lost: [0; ROW],
+        }
+    }
+}
+
+impl Room {
+    /// The logarithm of the chance of a bit among the others.
+    #[inline(always)]
+    fn reckon(&mut self, table: &Table, own: &[f32], noise: &[f32]) {
+        let m = own.len().min(ROW);
+        let (own, noise) = (&own[..m], &noise[..m]);
+        let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
+        let others = &self.others[..m];
+        for j in 0..m {
+            (steps[j], rests[j]) = table.place(own[j] / (noise[j] + others[j]));
+        }
+        let ln_bits = &mut self.ln_bits[..m];
+        for j in 0..m {
+            ln_bits[j] = table.between(steps[j], rests[j]);
+        }
+    }
+
+    /// The logarithm of the chance of the frame, with what is over of it.
+    #[inline(always)]
+    fn chances(&mut self, before: Option<&[f32]>, rest_bits: f32, m: usize) {
+        let (ln_bits, ln_success) = (&self.ln_bits[..m], &mut self.ln_success[..m]);
+        match before {
+            Some(before) => {
+                let before = &before[..m];
+                for j in 0..m {
+                    ln_success[j] = before[j] + rest_bits * ln_bits[j];
+                }
+            }
+            None => {
+                for j in 0..m {
+                    ln_success[j] = rest_bits * ln_bits[j];
+                }
+            }
+        }
+    }
+
+    /// Lists the lucky and the others of those that were taking in `frame`: how many of each.
+    #[inline(always)]
+    fn decide(
+        &mut self,
+        frame: &OnAir,
+        salts: &[u32],
+        columns: Columns<'_>,
+        whole: &Whole,
+    ) -> (usize, usize) {
+        let m = salts.len().min(ROW);
+        let salts = &salts[..m];
+        let Columns { locks, rx_ns, got } = columns;
+        let (locks, rx_ns, got) = (&mut locks[..m], &mut rx_ns[..m], &mut got[..m]);
+        let lucks = &mut self.lucks[..m];
+        for j in 0..m {
+            lucks[j] = luck_24(frame.key, salts[j]);
+        }
+        // What remains is below 0 for those who came through.
+        let ln_success = &self.ln_success[..m];
+        for j in 0..m {
+            lucks[j] -= chance(ln_success[j]);
+        }
+        let (mut lucky, mut lost) = (0, 0);
+        for j in 0..m {
+            let mine = locks[j] == frame.id;
+            let through = mine & (lucks[j] < 0.0);
+            locks[j] = if mine { 0 } else { locks[j] };
+            rx_ns[j] += if mine { whole.airtime_ns } else { 0 };
+            got[j] += u32::from(through) & whole.counted;
+            // Written every time, kept only where it holds: no branch to be mispredicted.
+            self.lucky[lucky % ROW] = j as u16;
+            self.lost[lost % ROW] = j as u16;
+            lucky += usize::from(through);
+            lost += usize::from(mine & !through);
+        }
+        (lucky, lost)
+    }
+}
+
+/// The luck of a frame at a receiver, to 24 bits: 0 or more, less than 1.
+#[inline(always)]
+fn luck_24(key: u64, salt: u32) -> f32 {
+    (draw_u32(key, salt) >> 8) as i32 as f32 * (1.0 / 16_777_216.0)
+}
+
+/// The chance with this logarithm; exactly 1 for 0, and 0 far below.
+#[inline(always)]
+fn chance(ln_success: f32) -> f32 {
+    let chance = exp2(ln_success * std::f32::consts::LOG2_E);
+    if ln_success > -30.0 { chance } else { 0.0 }
 }
 
 /// The nearest multiple of 2^-50 mW, up to 2 mW; above, of what an f64 holds beside 6.
