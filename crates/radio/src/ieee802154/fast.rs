@@ -231,8 +231,7 @@ impl FastAir {
         self.conclude::<false>(frame, now_ns, receptions);
     }
 
-    /// Decides for each row that was taking in `frame` whether it came through, block by block. Rows
-    /// with another frame are reckoned as well, which costs less than asking.
+    /// Decides for each row that was taking in `frame` whether it came through, block by block.
     fn conclude<const SINGLE: bool>(
         &mut self,
         frame: &OnAir,
@@ -246,62 +245,66 @@ impl FastAir {
             true => airtime_ns as f32,
             false => (now_ns as u32).wrapping_sub(self.since_ns) as f32,
         };
-        let whole = Whole {
-            airtime_ns,
-            rest_bits: table.bits(rest_ns, self.quirks),
-            all_bits: table.bits(airtime_ns as f32, self.quirks),
-            counted: u32::from(frame.counted),
-        };
+        let rest_bits = table.bits(rest_ns, self.quirks);
+        let all_bits = table.bits(airtime_ns as f32, self.quirks);
+        let length_ns = (airtime_ns as f32).max(1.0);
+        let counted = u32::from(frame.counted);
         let mut room = Room::default();
         for first in (0..n).step_by(ROW) {
             let rows = first..n.min(first + ROW);
-            let m = rows.len();
+            let mine = room.list(&self.locks[rows.clone()], frame.id);
             let own = match SINGLE {
                 true => &frame.powers_mw[rows.clone()],
                 false => &self.powers_mw[rows.clone()],
             };
             let noise = &self.noise_mw[rows.clone()];
+            let salts = &self.salts[rows.clone()];
+            for k in 0..mine {
+                let j = usize::from(room.mine[k]);
+                (room.own[k], room.noise[k], room.salts[k]) = (own[j], noise[j], salts[j]);
+            }
             if SINGLE {
-                room.others[..m].fill(0.0);
+                room.ln_success[..mine].fill(0.0);
             } else {
                 let totals = &self.totals_mw[rows.clone()];
-                for ((other, &total), &own) in room.others.iter_mut().zip(totals).zip(own) {
-                    *other = others_mw(total, own);
+                let before = &self.ln_success[rows];
+                for k in 0..mine {
+                    let j = usize::from(room.mine[k]);
+                    room.others[k] = others_mw(totals[j], own[j]);
+                    room.ln_success[k] = before[j];
                 }
             }
-            room.reckon(table, own, noise);
-            let before = (!SINGLE).then(|| &self.ln_success[rows.clone()]);
-            room.chances(before, whole.rest_bits, m);
-            let salts = &self.salts[rows.clone()];
-            let columns = Columns {
-                locks: &mut self.locks[rows.clone()],
-                rx_ns: &mut self.rx_ns[rows.clone()],
-                got: &mut self.got[rows.clone()],
-            };
-            let (lucky, lost) = room.decide(frame, salts, columns, &whole);
-            for &at in &room.lucky[..lucky] {
-                let j = usize::from(at);
-                let energy = if SINGLE {
-                    0.0
-                } else {
-                    self.energies[first + j] + room.others[j] * rest_ns
-                };
-                let interference_mw = energy / (airtime_ns as f32).max(1.0);
-                receptions.push(Reception {
-                    row: (first + j) as u32,
-                    power_mw: own[j],
-                    ln_success: room.ln_success[j],
-                    sinr: own[j] / (noise[j] + interference_mw),
-                });
+            room.reckon(table, rest_bits, frame.key, mine);
+            for k in 0..mine {
+                let row = first + usize::from(room.mine[k]);
+                let through = room.over[k] < 0.0;
+                self.locks[row] = 0;
+                self.rx_ns[row] += airtime_ns;
+                self.got[row] += u32::from(through) & counted;
             }
-            for &at in &room.lost[..lost] {
-                let j = usize::from(at);
-                let spoilt = SINGLE || {
-                    let luck = luck_24(frame.key, salts[j]);
-                    let alone = whole.all_bits * table.ln_bit(own[j] / noise[j]);
-                    luck >= chance(alone)
+            let (lucky, lost) = room.sort(mine);
+            receptions.extend(room.lucky[..lucky].iter().map(|&at| {
+                let k = usize::from(at);
+                let row = first + usize::from(room.mine[k]);
+                let energy = match SINGLE {
+                    true => 0.0,
+                    false => self.energies[row] + room.others[k] * rest_ns,
                 };
-                self.spoilt[first + j] += u32::from(spoilt) & whole.counted;
+                Reception {
+                    row: row as u32,
+                    power_mw: room.own[k],
+                    ln_success: room.ln_success[k],
+                    sinr: room.own[k] / (room.noise[k] + energy / length_ns),
+                }
+            }));
+            for &at in &room.lost[..lost] {
+                let k = usize::from(at);
+                let row = first + usize::from(room.mine[k]);
+                let spoilt = SINGLE || {
+                    let alone = table.ln_bit(room.own[k] / room.noise[k]);
+                    alone < 0.0 && luck_24(frame.key, room.salts[k]) >= chance(all_bits * alone)
+                };
+                self.spoilt[row] += u32::from(spoilt) & counted;
             }
         }
     }
@@ -468,29 +471,20 @@ impl Air for FastAir {
     }
 }
 
-/// What is the same for all rows at the end of a frame.
-struct Whole {
-    airtime_ns: u64,
-    rest_bits: f32,
-    all_bits: f32,
-    counted: u32,
-}
-
-/// What the end of a frame writes into a block of rows.
-struct Columns<'a> {
-    locks: &'a mut [u32],
-    rx_ns: &'a mut [u64],
-    got: &'a mut [u32],
-}
-
-/// Working memory for a block of rows.
+/// Working memory for a block of rows: columns of those that were taking in the frame that ends.
 struct Room {
+    /// Their rows, counted from the block's first.
+    mine: [u16; ROW],
+    own: [f32; ROW],
+    noise: [f32; ROW],
+    salts: [u32; ROW],
     others: [f32; ROW],
     steps: [u32; ROW],
     rests: [f32; ROW],
-    ln_bits: [f32; ROW],
+    /// At first that of what is over of the frame, then of all.
     ln_success: [f32; ROW],
-    lucks: [f32; ROW],
+    /// Luck over chance: below 0 for those that the frame came through to.
+    over: [f32; ROW],
     lucky: [u16; ROW],
     lost: [u16; ROW],
 }
@@ -498,12 +492,15 @@ struct Room {
 impl Default for Room {
     fn default() -> Self {
         Self {
+            mine: [0; ROW],
+            own: [0.0; ROW],
+            noise: [0.0; ROW],
+            salts: [0; ROW],
             others: [0.0; ROW],
             steps: [0; ROW],
             rests: [0.0; ROW],
-            ln_bits: [0.0; ROW],
             ln_success: [0.0; ROW],
-            lucks: [0.0; ROW],
+            over: [0.0; ROW],
             lucky: [0; ROW],
             lost: [0; ROW],
         }
@@ -511,75 +508,49 @@ impl Default for Room {
 }
 
 impl Room {
-    /// The logarithm of the chance of a bit among the others.
+    /// Lists the rows that are taking in frame `id`: how many.
     #[inline(always)]
-    fn reckon(&mut self, table: &Table, own: &[f32], noise: &[f32]) {
-        let m = own.len().min(ROW);
-        let (own, noise) = (&own[..m], &noise[..m]);
-        let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
-        let others = &self.others[..m];
-        for j in 0..m {
-            (steps[j], rests[j]) = table.place(own[j] / (noise[j] + others[j]));
-        }
-        let ln_bits = &mut self.ln_bits[..m];
-        for j in 0..m {
-            ln_bits[j] = table.between(steps[j], rests[j]);
-        }
-    }
-
-    /// The logarithm of the chance of the frame, with what is over of it.
-    #[inline(always)]
-    fn chances(&mut self, before: Option<&[f32]>, rest_bits: f32, m: usize) {
-        let (ln_bits, ln_success) = (&self.ln_bits[..m], &mut self.ln_success[..m]);
-        match before {
-            Some(before) => {
-                let before = &before[..m];
-                for j in 0..m {
-                    ln_success[j] = before[j] + rest_bits * ln_bits[j];
-                }
-            }
-            None => {
-                for j in 0..m {
-                    ln_success[j] = rest_bits * ln_bits[j];
-                }
-            }
-        }
-    }
-
-    /// Lists the lucky and the others of those that were taking in `frame`: how many of each.
-    #[inline(always)]
-    fn decide(
-        &mut self,
-        frame: &OnAir,
-        salts: &[u32],
-        columns: Columns<'_>,
-        whole: &Whole,
-    ) -> (usize, usize) {
-        let m = salts.len().min(ROW);
-        let salts = &salts[..m];
-        let Columns { locks, rx_ns, got } = columns;
-        let (locks, rx_ns, got) = (&mut locks[..m], &mut rx_ns[..m], &mut got[..m]);
-        let lucks = &mut self.lucks[..m];
-        for j in 0..m {
-            lucks[j] = luck_24(frame.key, salts[j]);
-        }
-        // What remains is below 0 for those who came through.
-        let ln_success = &self.ln_success[..m];
-        for j in 0..m {
-            lucks[j] -= chance(ln_success[j]);
-        }
-        let (mut lucky, mut lost) = (0, 0);
-        for j in 0..m {
-            let mine = locks[j] == frame.id;
-            let through = mine & (lucks[j] < 0.0);
-            locks[j] = if mine { 0 } else { locks[j] };
-            rx_ns[j] += if mine { whole.airtime_ns } else { 0 };
-            got[j] += u32::from(through) & whole.counted;
+    fn list(&mut self, locks: &[u32], id: u32) -> usize {
+        let mut count = 0;
+        for (j, &lock) in (0u16..).zip(locks) {
             // Written every time, kept only where it holds: no branch to be mispredicted.
-            self.lucky[lucky % ROW] = j as u16;
-            self.lost[lost % ROW] = j as u16;
-            lucky += usize::from(through);
-            lost += usize::from(mine & !through);
+            self.mine[count % ROW] = j;
+            count += usize::from(lock == id);
+        }
+        count
+    }
+
+    /// Chance and luck of the first `m`.
+    #[inline(always)]
+    fn reckon(&mut self, table: &Table, rest_bits: f32, key: u64, m: usize) {
+        let m = m.min(ROW);
+        let (own, noise, others) = (&self.own[..m], &self.noise[..m], &self.others[..m]);
+        let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
+        for k in 0..m {
+            (steps[k], rests[k]) = table.place(own[k] / (noise[k] + others[k]));
+        }
+        let ln_success = &mut self.ln_success[..m];
+        for k in 0..m {
+            ln_success[k] += rest_bits * table.between(steps[k], rests[k]);
+        }
+        let (over, salts) = (&mut self.over[..m], &self.salts[..m]);
+        for k in 0..m {
+            over[k] = luck_24(key, salts[k]);
+        }
+        for k in 0..m {
+            over[k] -= chance(ln_success[k]);
+        }
+    }
+
+    /// Sorts the first `m` into lucky and lost: how many of each.
+    #[inline(always)]
+    fn sort(&mut self, m: usize) -> (usize, usize) {
+        let (mut lucky, mut lost) = (0, 0);
+        for (k, &over) in (0u16..).zip(&self.over[..m]) {
+            self.lucky[lucky % ROW] = k;
+            self.lost[lost % ROW] = k;
+            lucky += usize::from(over < 0.0);
+            lost += usize::from(over >= 0.0);
         }
         (lucky, lost)
     }
