@@ -276,12 +276,10 @@ mod tests {
     fn moments(values: &[f64]) -> [f64; 3] {
         let n = values.len() as f64;
         let mean = values.iter().sum::<f64>() / n;
-        let about = |p: i32| values.iter().map(|x| (x - mean).powi(p)).sum::<f64>() / n;
-        [
-            mean,
-            about(2).sqrt(),
-            about(4) / (about(2) * about(2)) - 3.0,
-        ]
+        let squares = || values.iter().map(|x| (x - mean) * (x - mean));
+        let second = squares().sum::<f64>() / n;
+        let fourth = squares().map(|square| square * square).sum::<f64>() / n;
+        [mean, second.sqrt(), fourth / (second * second) - 3.0]
     }
 
     fn correlation(pairs: &[(f64, f64)]) -> f64 {

@@ -38,6 +38,7 @@ mod agenda;
 mod agreement;
 mod air;
 mod exact;
+mod exchange;
 mod fast;
 mod mac;
 mod mail;
