@@ -11,7 +11,8 @@
 //! for one half, a difference of 0.01 dB at the beam's edge, and `Gmax` is 0 dBi unless set: that
 //! antenna radiates less than it is fed. Here `Gmax` is such that the mean over the sphere is 1.
 
-use super::{Antenna, fast, kept};
+use super::{Antenna, kept};
+use crate::fast;
 use crate::radio::RadioError;
 use glam::{DVec3, Vec3};
 use simbeeotic_units::{Angle, Decibels, math};

@@ -35,7 +35,6 @@
 
 mod cosine;
 mod dipole;
-mod fast;
 mod isotropic;
 mod patch;
 pub mod pattern;

@@ -14,7 +14,8 @@
 //! This is a shape with the beamwidths of a data sheet, not a field solution: no side lobes, a back
 //! that is the same everywhere. With a table of the real one, use [`Pattern`](super::Pattern).
 
-use super::{Antenna, fast, kept};
+use super::{Antenna, kept};
+use crate::fast;
 use crate::radio::RadioError;
 use glam::{DVec3, Vec3};
 use simbeeotic_units::{Angle, Decibels, math};

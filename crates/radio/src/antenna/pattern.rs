@@ -23,7 +23,8 @@
 //!
 //! Between directions the gain is interpolated bilinearly in dB.
 
-use super::{Antenna, fast};
+use super::Antenna;
+use crate::fast;
 use glam::{DVec3, Vec3};
 use simbeeotic_units::{Decibels, did_you_mean, math};
 use std::f64::consts::FRAC_PI_2;
