@@ -124,11 +124,18 @@ impl Grid {
         ((z << self.bits[1] | y) << self.bits[0]) | x
     }
 
-    /// The cubes along an axis that come within `reach` of `x`; no more than there are buckets, since
-    /// from there on they repeat.
+    /// The places of each bucket that holds any, as a run of [`order`](Self::order).
+    pub(crate) fn buckets(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let ends = self.start.windows(2);
+        let runs = ends.map(|ends| ends[0] as usize..ends[1] as usize);
+        runs.filter(|run| !run.is_empty())
+    }
+
+    /// The cubes along an axis that come within `reach` of the stretch from `x[0]` to `x[1]`; no more than
+    /// there are buckets, since from there on they repeat.
     #[inline]
-    fn span(&self, axis: usize, x: f64, reach: f64) -> Range<i64> {
-        let (low, high) = (self.cube(x - reach), self.cube(x + reach));
+    fn span(&self, axis: usize, x: [f64; 2], reach: f64) -> Range<i64> {
+        let (low, high) = (self.cube(x[0] - reach), self.cube(x[1] + reach));
         low..high
             .saturating_add(1)
             .min(low.saturating_add(1 << self.bits[axis]))
@@ -137,13 +144,24 @@ impl Grid {
     /// Calls `visit` with runs of [`order`](Self::order) that together hold, each once, all places
     /// within `reach` of `p`, and others.
     #[inline]
-    pub(crate) fn around(&self, p: [f32; 3], reach: f64, mut visit: impl FnMut(Range<usize>)) {
-        let [x, y, z] = p.map(f64::from);
+    pub(crate) fn around(&self, p: [f32; 3], reach: f64, visit: impl FnMut(Range<usize>)) {
+        self.around_box([p, p], reach, visit);
+    }
+
+    /// The same for all places within `reach` of a box, given by its least and its greatest corner.
+    #[inline]
+    pub(crate) fn around_box(
+        &self,
+        corners: [[f32; 3]; 2],
+        reach: f64,
+        mut visit: impl FnMut(Range<usize>),
+    ) {
+        let [x, y, z] = [0, 1, 2].map(|axis| corners.map(|corner| f64::from(corner[axis])));
         let side = 1_i64 << self.bits[0];
-        // How far the cubes number `cube` along an axis are from `x`, at least.
-        let gap = |x: f64, cube: i64| {
+        // How far the cubes number `cube` along an axis are from a stretch, at least.
+        let gap = |x: [f64; 2], cube: i64| {
             let low = cube as f64 * self.cell_m;
-            (low - x).max(x - low - self.cell_m).max(0.0)
+            (low - x[1]).max(x[0] - low - self.cell_m).max(0.0)
         };
         let (ys, zs) = (self.span(1, y, reach), self.span(2, z, reach));
         // Where cubes repeat, another one of the same bucket may be nearer than the one that is counted.

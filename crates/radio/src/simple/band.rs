@@ -377,7 +377,7 @@ impl Members {
 }
 
 impl Air {
-    fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.frames.clear();
         self.eirp_mw.clear();
         self.keys.clear();

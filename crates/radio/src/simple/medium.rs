@@ -3,6 +3,7 @@
 use super::SimpleConfig;
 use super::band::{Band, Mode};
 use super::chance::Chances;
+use super::party::Party;
 use super::radio::{Heard, Radio};
 use super::success::{Curve, Noise};
 use crate::channel::Channel;
@@ -46,6 +47,7 @@ pub struct SimpleMedium {
     reported: Vec<RadioId>,
     outcomes: Vec<Outcome>,
     pub(super) scratch: Scratch,
+    pub(super) party: Party,
 }
 
 impl SimpleMedium {
@@ -75,6 +77,7 @@ impl SimpleMedium {
             reported: Vec::new(),
             outcomes: Vec::new(),
             scratch: Scratch::new(),
+            party: Party::default(),
         })
     }
 

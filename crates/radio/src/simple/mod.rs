@@ -47,6 +47,7 @@ mod chance;
 mod medium;
 mod near;
 mod pair;
+mod party;
 mod radio;
 mod receive;
 mod success;

@@ -16,7 +16,7 @@ use simbeeotic_units::Position;
 const CELL: f64 = 0.5;
 
 /// Shortest edge of a cube, m.
-const CELL_M_MIN: f64 = 0.01;
+pub(super) const CELL_M_MIN: f64 = 0.01;
 
 /// A grid is built anew when as many members were looked at in vain, as it is out of date, as there are
 /// members times this.

@@ -1,6 +1,6 @@
 //! Who receives what in a round: by frame or by receiver, with a grid or without.
 
-use super::band::Band;
+use super::band::{Air, Band, Members};
 use super::chance::Chances;
 use super::medium::SimpleMedium;
 use super::pair::{Between, Reach, count, count_scattered, listen, pick, tell};
@@ -57,7 +57,15 @@ impl SimpleMedium {
             while first < range.end && !done {
                 let end = range.end.min(first + step);
                 let from = scratch.hits.len();
-                self.hear_row(band, me, first..end, &between, scratch, &mut heard.reach);
+                self.hear_row(
+                    members,
+                    air,
+                    me,
+                    first..end,
+                    &between,
+                    scratch,
+                    &mut heard.reach,
+                );
                 let kept = heard.sort_out(air, members.owners[me], &mut scratch.hits[from..]);
                 scratch.hits.truncate(from + kept);
                 done = first_only && !scratch.hits.is_empty();
@@ -77,16 +85,20 @@ impl SimpleMedium {
 
     /// What one receiver hears of a row of frames.
     #[inline]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "called in two places, inlined in both"
+    )]
     fn hear_row(
         &self,
-        band: &Band,
+        members: &Members,
+        air: &Air,
         me: usize,
         range: Range<usize>,
         between: &Between<'_>,
         scratch: &mut Scratch,
         total: &mut Reach,
     ) {
-        let (members, air) = (&band.members, &band.air);
         let curve = &self.curves[members.curves[me] as usize];
         let from = scratch.hits.len();
         let (first, count) = (range.start, range.len());
@@ -215,9 +227,10 @@ impl SimpleMedium {
         }
     }
 
-    /// Finds all receptions of a band whose frames are sorted into a grid, receiver by receiver, senders
-    /// first: they come in the order of the grid, and find what they read in the cache. `false` if there
-    /// are too many receptions to keep; then nothing has been booked.
+    /// Finds all receptions of a band whose frames are sorted into a grid. Receivers that are neighbours
+    /// look at much the same frames: these are gathered once for all receivers of a cube, side by side and
+    /// in the order in which they were submitted. `false` if there are too many receptions to keep; then
+    /// nothing has been booked.
     pub(super) fn deliver_by_grid(
         &mut self,
         index: usize,
@@ -226,39 +239,51 @@ impl SimpleMedium {
     ) -> bool {
         let mut scratch = std::mem::take(&mut self.scratch);
         let mut delivered = std::mem::take(&mut self.bands[index].delivered);
+        let mut party = std::mem::take(&mut self.party);
         let band = &self.bands[index];
         let (members, air) = (&band.members, &band.air);
         let between = self.between(band, self.config.propagation.as_ref(), poses);
-        let mut reaches = vec![Reach::default(); members.owners.len()];
-        let mut done = vec![false; members.owners.len()];
-        for row in air
-            .rows
-            .iter()
-            .copied()
-            .chain(0..members.owners.len() as u32)
-        {
-            let me = row as usize;
-            if std::mem::replace(&mut done[me], true) || !members.awake[me] {
-                continue;
-            }
-            scratch.hits.clear();
-            let here = [0, 1, 2].map(|axis| members.places[axis][me]);
-            let reach = &mut reaches[me];
-            air.grid.around(here, air.reach_m, |run| {
-                let mut first = run.start;
-                while first < run.end {
-                    let end = run.end.min(first + ROW);
-                    self.hear_row(band, me, first..end, &between, &mut scratch, reach);
-                    first = end;
+        party.gather_receivers(members, self.config.range_limit.metres());
+        let mut reaches = Vec::with_capacity(members.owners.len());
+        for run in party.grid.buckets() {
+            let mut rows = &party.grid.order()[run];
+            while !rows.is_empty() {
+                let count = party.near.gather_frames(air, members, rows, party.width_m);
+                let (group, rest) = rows.split_at(count);
+                rows = rest;
+                let near = &party.near.air;
+                for row in group
+                    .iter()
+                    .copied()
+                    .filter(|&row| members.awake[row as usize])
+                {
+                    scratch.hits.clear();
+                    let mut reach = Reach::default();
+                    let mut first = 0;
+                    while first < near.order.len() {
+                        let end = near.order.len().min(first + ROW);
+                        let me = row as usize;
+                        self.hear_row(
+                            members,
+                            near,
+                            me,
+                            first..end,
+                            &between,
+                            &mut scratch,
+                            &mut reach,
+                        );
+                        first = end;
+                    }
+                    delivered.give(row, &scratch.hits);
+                    reaches.push((row, reach));
                 }
-            });
-            scratch.hits.sort_unstable_by_key(|hit| hit.frame);
-            delivered.give(row, &scratch.hits);
+            }
             if delivered.hits.len() > KEPT {
                 break;
             }
         }
         self.scratch = scratch;
+        self.party = party;
         let keeps = delivered.hits.len() <= KEPT;
         if keeps {
             delivered.list_rows();
@@ -268,9 +293,9 @@ impl SimpleMedium {
         let band = &mut self.bands[index];
         band.delivered = delivered;
         if keeps {
-            for (row, reach) in reaches.iter().enumerate() {
-                band.members.in_range[row] += reach.in_range;
-                band.members.audible[row] += reach.audible;
+            for (row, reach) in reaches {
+                band.members.in_range[row as usize] += reach.in_range;
+                band.members.audible[row as usize] += reach.audible;
             }
             self.announce(index, owners);
         }
