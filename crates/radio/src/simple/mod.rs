@@ -36,7 +36,8 @@
 //! finds those that may not be. By frame, it is a grid of the members as they were some time ago, searched
 //! farther by what they may have travelled since ([`Poses::odometer`](crate::Poses::odometer)), so that
 //! radios that each send at a time of their own do not pay for the positions of all others. By receiver, it
-//! is one of the frames of this round. Which way is taken is a matter of cost, and changes no bit.
+//! is one of the frames of this round, and what receivers in one cube may hear is gathered for all of them
+//! at once (`party`). Which way is taken is a matter of cost, and changes no bit.
 //!
 //! Pairs are worked in f32. Within 10 km of the origin a coordinate is then right to half a millimetre,
 //! and the power over 1 m or more to 0.01 dB. The reported RSSI is that power; only the chance of

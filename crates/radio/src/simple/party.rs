@@ -6,7 +6,7 @@ use crate::grid::{Grid, widths_m};
 
 /// Edge of a cube of receivers over the range. Wider, more receivers share what is gathered, and each looks
 /// at more frames in vain.
-const CELL: f64 = 2.0 / 3.0;
+const CELL: f64 = 1.0;
 
 /// The receivers of a band in a grid, and the frames near those of one cube.
 #[derive(Debug, Default)]
@@ -25,6 +25,8 @@ pub(super) struct NearFrames {
     pub(super) air: Air,
     /// Which frame, and its place in the band's columns, in one word to be sorted by.
     picked: Vec<u64>,
+    /// Whether it matters which members the senders are: for directions and for walls.
+    pub(super) senders_matter: bool,
 }
 
 impl Party {
@@ -115,9 +117,14 @@ impl NearFrames {
             .extend(picked.iter().map(|word| air.radios[of(word)]));
         near.radio_keys
             .extend(picked.iter().map(|word| air.radio_keys[of(word)]));
-        near.rows
-            .extend(picked.iter().map(|word| air.rows[of(word)]));
+        if self.senders_matter {
+            near.rows
+                .extend(picked.iter().map(|word| air.rows[of(word)]));
+        }
+        // The first stands for all that are alike.
+        let lengths = if air.alike { 1 } else { picked.len() };
+        let lengths = picked.iter().take(lengths);
         near.lengths
-            .extend(picked.iter().map(|word| air.lengths[of(word)]));
+            .extend(lengths.map(|word| air.lengths[of(word)]));
     }
 }

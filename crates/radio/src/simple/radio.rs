@@ -74,6 +74,12 @@ impl Radio {
         }
     }
 
+    /// A word of the line that a reception touches.
+    #[inline]
+    pub(super) fn touch(&self) -> u64 {
+        self.booked.get()
+    }
+
     /// Books what was heard in a round. Once: inboxes may be asked for again.
     #[inline]
     pub(super) fn book(&self, round: u64, now: SimTime, heard: &Heard) {

@@ -249,6 +249,27 @@ fn swarm_with(more: usize, at: DVec3, sends: usize) -> Vec<(u32, u32)> {
 }
 
 #[test]
+fn parts_of_a_swarm_that_share_buckets_of_the_grid_are_kept_apart() {
+    let mut rng = Stream::new(5, "parts", "test");
+    // Neighbours in number are neighbours of nobody: four parts, whole numbers of cubes away.
+    let place = |i: u32| rng.in_ball(25.0) + DVec3::new(15_360.0, 30_720.0, 0.0) * f64::from(i % 4);
+    let places: Vec<DVec3> = (0..400).map(place).collect();
+    let heard = |grid_below| {
+        let config = SimpleConfig {
+            grid_below,
+            by_receiver_from: 1,
+            ..config()
+        };
+        let mut m = medium(config, (0..400).map(support::bee));
+        (0..400).for_each(|radio| m.submit(secs(1), broadcast(radio, b"x")));
+        pairs(&round(&mut m, secs(1), &Still::at(places.clone())))
+    };
+    let plain = heard(0.0);
+    assert!(plain.len() > 4 * 100 * 20, "{}", plain.len());
+    assert_eq!(heard(f64::INFINITY), plain);
+}
+
+#[test]
 fn radios_out_of_reach_change_nothing() {
     // 15: one more frame turns a round by frame into a round by receiver.
     for sends in [1, 14, 15, 16, 50] {
