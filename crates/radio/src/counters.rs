@@ -26,7 +26,7 @@ pub enum Loss {
     ChannelBusy,
     /// Not sent: too many frames were waiting.
     QueueFull,
-    /// Not sent: the payload does not fit into a frame.
+    /// Not sent: the payload does not fit into a frame, or its frame would last more than 73 minutes.
     TooLong,
     /// Sent, and never acknowledged.
     NoAcknowledgement,

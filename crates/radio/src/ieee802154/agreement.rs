@@ -187,4 +187,36 @@ proptest! {
             prop_assert!(f.noise.abs_diff(e.noise) <= 1 + close_calls);
         }
     }
+    #[test]
+    fn frames_that_reach_nobody_change_no_bit(deeds in deeds(), far in deeds()) {
+        let far = far.into_iter().filter_map(|deed| match deed {
+            Deed::Frame(step, steps, rest, row, powers) => {
+                let nothing = vec![f64::NEG_INFINITY; powers.len()];
+                Some(Deed::Frame(step, steps, rest, row, nothing))
+            }
+            Deed::Listen(..) => None,
+        });
+        let mut all = deeds.clone();
+        all.extend(far);
+        let near = |(key, reception): &(u64, Reception)| (*key, *reception);
+        for exact in [false, true] {
+            let air = || -> Box<dyn Air> {
+                match exact {
+                    true => Box::new(ExactAir::new(Quirks::None)),
+                    false => Box::new(FastAir::new(Quirks::None)),
+                }
+            };
+            let (alone, among) = (play(air(), &deeds), play(air(), &all));
+            let by = |played: &Played| -> Vec<(u64, Reception)> {
+                let mut list: Vec<_> = played.receptions.iter().map(near).collect();
+                list.sort_by_key(|(key, reception)| (*key, reception.row));
+                list
+            };
+            // Powers, chances and ratios are compared to the bit.
+            prop_assert_eq!(by(&alone), by(&among));
+            for row in 0..ROWS {
+                prop_assert_eq!(alone.air.tally(row), among.air.tally(row));
+            }
+        }
+    }
 }

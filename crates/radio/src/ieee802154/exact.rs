@@ -90,7 +90,7 @@ impl ExactAir {
         let takes = match lock {
             // Of signals that begin together, the strongest is taken up.
             Some(lock) => lock.taking.since_ns == frame.start_ns && power_mw > lock.power_mw,
-            None => power_mw > least * (noise_mw + others_mw),
+            None => power_mw >= least * (noise_mw + others_mw),
         };
         if strong && takes {
             *lock = Some(Lock {
@@ -175,7 +175,10 @@ impl Air for ExactAir {
     fn start(&mut self, frame: OnAir) {
         self.ended.clear();
         for row in 0..self.rows.len() {
-            self.close(row, frame.start_ns);
+            // As ns-3 has it, frames that do not reach a row split its intervals too.
+            if self.quirks == Quirks::Ns3 || frame.powers_mw[row] > 0.0 {
+                self.close(row, frame.start_ns);
+            }
             self.meet(row, &frame);
         }
         self.frames.push(frame);
@@ -190,8 +193,9 @@ impl Air for ExactAir {
         }
         for row in 0..self.rows.len() {
             let mine = self.rows[row].lock.as_ref().is_some_and(|l| l.id == id);
+            let felt = self.frames[at].powers_mw[row] > 0.0;
             // ns-3 does not look at interference that ends: it counts as if it had not been.
-            if mine || self.quirks == Quirks::None {
+            if mine || (felt && self.quirks == Quirks::None) {
                 self.close(row, now_ns);
             }
             if let Some(lock) = self.rows[row].lock.take_if(|_| mine) {
@@ -200,7 +204,8 @@ impl Air for ExactAir {
                 receptions.extend(self.judge(row, &lock, key));
             }
         }
-        let frame = self.frames.swap_remove(at);
+        // In the order of their beginnings, in which powers are added up.
+        let frame = self.frames.remove(at);
         if self.quirks == Quirks::Ns3 {
             self.ended_ns = now_ns;
             self.ended.push(frame.clone());

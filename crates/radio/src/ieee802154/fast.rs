@@ -2,8 +2,9 @@
 //!
 //! While a single frame is on the air, the passes are plain loops, and all that is known of the
 //! receivers follows from the frame. Only when frames overlap, each receiver gets books of its own:
-//! power on the channel, power of its frame, and logarithm of its frame's chance so far. The present
-//! interval began for all at one time, when the last frame began or ended.
+//! power on the channel, power of its frame, and logarithm of its frame's chance so far. An interval of a
+//! receiver ends where a frame begins or ends that reaches it: frames that do not reach it change no bit
+//! of what becomes of its own. As ns-3 has it, intervals end for all at once.
 //!
 //! The power on the channel is a sum that frames come to and leave again. It is kept in f64, of
 //! powers rounded to multiples of 2^-50 mW (-150 dBm): such sums are exact up to 8 mW, so that nothing
@@ -48,8 +49,11 @@ pub(super) struct FastAir {
     started: u32,
     books: Vec<Tally>,
 
-    /// The columns of overlap. Time of the last change on the air, low bits of the ns.
-    since_ns: u32,
+    /// As ns-3 has it: when the present interval began, for all.
+    since_ns: u64,
+    /// The columns of overlap. When the row's present interval began: whole ns, which an f64 holds for
+    /// 104 days, and which costs less to subtract and round than integers do.
+    since: Vec<f64>,
     totals_mw: Vec<f64>,
     powers_mw: Vec<f32>,
     /// Logarithm of the chance of what is over of the row's frame.
@@ -58,8 +62,8 @@ pub(super) struct FastAir {
     energies: Vec<f32>,
 }
 
-/// The longest frame: times within it are told by 32 bits.
-pub(super) const AIRTIME_NS_MAX: u64 = u32::MAX as u64 / 2;
+/// Frames of no more power than this leave a sum of [`rounded`] powers as it is: 2^-51 mW, -153.5 dBm.
+const UNFELT_MW: f32 = 1.0 / (1u64 << 51) as f32;
 
 impl FastAir {
     pub(super) fn new(quirks: Quirks) -> Self {
@@ -83,6 +87,7 @@ impl FastAir {
             started: 0,
             books: Vec::new(),
             since_ns: 0,
+            since: Vec::new(),
             totals_mw: Vec::new(),
             powers_mw: Vec::new(),
             ln_success: Vec::new(),
@@ -106,7 +111,8 @@ impl FastAir {
             return;
         };
         self.single = false;
-        self.since_ns = frame.start_ns as u32;
+        self.since_ns = frame.start_ns;
+        self.since.fill(frame.start_ns as f64);
         self.powers_mw
             .copy_from_slice(&frame.powers_mw[..self.receivers.len()]);
         for (total, &power_mw) in self.totals_mw.iter_mut().zip(&self.powers_mw) {
@@ -138,7 +144,10 @@ impl FastAir {
     }
 
     fn start_among_others(&mut self, frame: &OnAir) {
-        self.close_interval(frame.start_ns as u32);
+        match self.quirks {
+            Quirks::Ns3 => self.close_interval::<true>(frame, frame.start_ns),
+            Quirks::None => self.close_interval::<false>(frame, frame.start_ns),
+        }
         let n = self.receivers.len();
         // Frames that began at this very instant have numbers from here on.
         let together = self.frames.iter().filter(|f| f.start_ns == frame.start_ns);
@@ -156,6 +165,8 @@ impl FastAir {
         let own = &mut self.powers_mw[..n];
         let ln_success = &mut self.ln_success[..n];
         let energies = &mut self.energies[..n];
+        let since = &mut self.since[..n];
+        let now = frame.start_ns as f64;
         let one_modulation = self.one_modulation;
         for j in 0..n {
             let (power_mw, before_mw) = (powers[j], totals[j]);
@@ -166,25 +177,28 @@ impl FastAir {
             // Of signals that begin together, the strongest is taken up.
             let free = locks[j] == 0;
             let fresh = locks[j].wrapping_sub(fresh_from) < fresh_span;
-            let over = power_mw > receivers[j].lock * (noise[j] + before_mw as f32);
+            let over = power_mw >= receivers[j].lock * (noise[j] + before_mw as f32);
             let takes = strong & ((free & over) | (!free & fresh & (power_mw > own[j])));
             locks[j] = if takes { frame.id } else { locks[j] };
             own[j] = if takes { power_mw } else { own[j] };
             ln_success[j] = if takes { 0.0 } else { ln_success[j] };
             energies[j] = if takes { 0.0 } else { energies[j] };
+            since[j] = if takes { now } else { since[j] };
         }
     }
 
-    /// Ends the present interval for all: what it did to the frame in each row. Rows without a frame
-    /// are reckoned as well, which costs less than asking.
-    fn close_interval(&mut self, now_ns: u32) {
-        let ns = now_ns.wrapping_sub(self.since_ns) as f32;
+    /// Ends the present interval of the rows that `frame` reaches, or of `ALL`: what it did to the frame
+    /// in each row. Rows without a frame are reckoned as well, which costs less than asking.
+    fn close_interval<const ALL: bool>(&mut self, frame: &OnAir, now_ns: u64) {
+        let all_ns = (now_ns - self.since_ns) as f32;
         self.since_ns = now_ns;
-        if ns == 0.0 {
+        if ALL && all_ns == 0.0 {
             return;
         }
+        let now = now_ns as f64;
         let n = self.receivers.len();
-        let (mut steps, mut rests, mut others) = ([0u32; ROW], [0.0f32; ROW], [0.0f32; ROW]);
+        let (mut steps, mut rests) = ([0u32; ROW], [0.0f32; ROW]);
+        let (mut others, mut ns) = ([0.0f32; ROW], [all_ns; ROW]);
         for first in (0..n).step_by(ROW) {
             let rows = first..n.min(first + ROW);
             let m = rows.len();
@@ -193,25 +207,35 @@ impl FastAir {
             let noise = &self.noise_mw[rows.clone()][..m];
             let energies = &mut self.energies[rows.clone()][..m];
             let ln_success = &mut self.ln_success[rows.clone()][..m];
+            if !ALL {
+                let powers = &frame.powers_mw[rows.clone()][..m];
+                let since = &mut self.since[rows.clone()][..m];
+                for j in 0..m {
+                    let felt = powers[j] > UNFELT_MW;
+                    // Nothing comes of an interval that has no length.
+                    ns[j] = if felt { (now - since[j]) as f32 } else { 0.0 };
+                    since[j] = if felt { now } else { since[j] };
+                }
+            }
             let receivers = &self.receivers[rows][..m];
             for j in 0..m {
                 others[j] = others_mw(totals[j], own[j]);
-                energies[j] += others[j] * ns;
+                energies[j] += others[j] * ns[j];
             }
             if self.one_modulation {
                 let table = &self.tables[receivers[0].modulation as usize];
-                let bits = table.bits(ns, self.quirks);
                 for j in 0..m {
                     (steps[j], rests[j]) = table.place(own[j] / (noise[j] + others[j]));
                 }
                 for j in 0..m {
+                    let bits = table.bits(ns[j], self.quirks);
                     ln_success[j] += bits * table.between(steps[j], rests[j]);
                 }
             } else {
                 for j in 0..m {
                     let table = &self.tables[receivers[j].modulation as usize];
                     let sinr = own[j] / (noise[j] + others[j]);
-                    ln_success[j] += table.bits(ns, self.quirks) * table.ln_bit(sinr);
+                    ln_success[j] += table.bits(ns[j], self.quirks) * table.ln_bit(sinr);
                 }
             }
         }
@@ -226,7 +250,7 @@ impl FastAir {
     fn end_among_others(&mut self, frame: &OnAir, now_ns: u64, receptions: &mut Vec<Reception>) {
         // ns-3 does not look at interference that ends: it counts as if it had not been.
         if self.quirks == Quirks::None {
-            self.close_interval(now_ns as u32);
+            self.close_interval::<false>(frame, now_ns);
         }
         self.conclude::<false>(frame, now_ns, receptions);
     }
@@ -243,9 +267,9 @@ impl FastAir {
         let table = &self.tables[frame.modulation as usize];
         let rest_ns = match SINGLE {
             true => airtime_ns as f32,
-            false => (now_ns as u32).wrapping_sub(self.since_ns) as f32,
+            false => (now_ns - self.since_ns) as f32,
         };
-        let rest_bits = table.bits(rest_ns, self.quirks);
+        let (all_rows, now) = (SINGLE || self.quirks == Quirks::Ns3, now_ns as f64);
         let all_bits = table.bits(airtime_ns as f32, self.quirks);
         let length_ns = (airtime_ns as f32).max(1.0);
         let counted = u32::from(frame.counted);
@@ -263,6 +287,14 @@ impl FastAir {
                 let j = usize::from(room.mine[k]);
                 (room.own[k], room.noise[k], room.salts[k]) = (own[j], noise[j], salts[j]);
             }
+            if all_rows {
+                room.ns[..mine].fill(rest_ns);
+            } else {
+                let since = &self.since[rows.clone()];
+                for k in 0..mine {
+                    room.ns[k] = (now - since[usize::from(room.mine[k])]) as f32;
+                }
+            }
             if SINGLE {
                 room.ln_success[..mine].fill(0.0);
             } else {
@@ -274,7 +306,7 @@ impl FastAir {
                     room.ln_success[k] = before[j];
                 }
             }
-            room.reckon(table, rest_bits, frame.key, mine);
+            room.reckon(table, self.quirks, frame.key, mine);
             for k in 0..mine {
                 let row = first + usize::from(room.mine[k]);
                 let through = room.over[k] < 0.0;
@@ -288,7 +320,7 @@ impl FastAir {
                 let row = first + usize::from(room.mine[k]);
                 let energy = match SINGLE {
                     true => 0.0,
-                    false => self.energies[row] + room.others[k] * rest_ns,
+                    false => self.energies[row] + room.others[k] * room.ns[k],
                 };
                 Reception {
                     row: row as u32,
@@ -350,6 +382,7 @@ impl Air for FastAir {
             self.got.resize(n, 0);
             self.spoilt.resize(n, 0);
             self.books.resize(n, Tally::default());
+            self.since.resize(n, 0.0);
             self.totals_mw.resize(n, 0.0);
             self.powers_mw.resize(n, 0.0);
             self.ln_success.resize(n, 0.0);
@@ -479,6 +512,8 @@ struct Room {
     noise: [f32; ROW],
     salts: [u32; ROW],
     others: [f32; ROW],
+    /// The length of their last interval.
+    ns: [f32; ROW],
     steps: [u32; ROW],
     rests: [f32; ROW],
     /// At first that of what is over of the frame, then of all.
@@ -497,6 +532,7 @@ impl Default for Room {
             noise: [0.0; ROW],
             salts: [0; ROW],
             others: [0.0; ROW],
+            ns: [0.0; ROW],
             steps: [0; ROW],
             rests: [0.0; ROW],
             ln_success: [0.0; ROW],
@@ -522,16 +558,16 @@ impl Room {
 
     /// Chance and luck of the first `m`.
     #[inline(always)]
-    fn reckon(&mut self, table: &Table, rest_bits: f32, key: u64, m: usize) {
+    fn reckon(&mut self, table: &Table, quirks: Quirks, key: u64, m: usize) {
         let m = m.min(ROW);
         let (own, noise, others) = (&self.own[..m], &self.noise[..m], &self.others[..m]);
         let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
         for k in 0..m {
             (steps[k], rests[k]) = table.place(own[k] / (noise[k] + others[k]));
         }
-        let ln_success = &mut self.ln_success[..m];
+        let (ln_success, ns) = (&mut self.ln_success[..m], &self.ns[..m]);
         for k in 0..m {
-            ln_success[k] += rest_bits * table.between(steps[k], rests[k]);
+            ln_success[k] += table.bits(ns[k], quirks) * table.between(steps[k], rests[k]);
         }
         let (over, salts) = (&mut self.over[..m], &self.salts[..m]);
         for k in 0..m {

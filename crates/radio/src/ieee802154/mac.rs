@@ -91,6 +91,9 @@ pub(super) fn nanos(time: Time) -> u64 {
     (time.secs() * 1e9).round() as u64
 }
 
+/// The longest frame: 73 minutes.
+pub(super) const AIRTIME_NS_MAX: u64 = 1 << 42;
+
 /// How long so many bytes are on the air, ns.
 pub(super) fn airtime_ns(spec: &RadioSpec, bytes: usize) -> u64 {
     nanos(spec.frame_airtime(bytes))
@@ -197,24 +200,35 @@ impl Presence {
 /// An assessment under way.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Assessment {
-    /// Power times time up to `until_ns`, mW ns.
+    /// Power times time up to `from_ns`, mW ns.
     energy: f64,
+    /// The power from `from_ns` to `until_ns`, milliwatts.
+    level_mw: f64,
+    from_ns: u64,
+    until_ns: u64,
     /// The highest power seen when a frame began, milliwatts.
     pub(super) peak_mw: f64,
-    until_ns: u64,
 }
 
 impl Assessment {
     pub(super) fn begin(now_ns: u64) -> Self {
         Self {
+            from_ns: now_ns,
             until_ns: now_ns,
             ..Self::default()
         }
     }
 
-    /// The power was this up to now.
+    fn energy(&self) -> f64 {
+        self.energy + self.level_mw * (self.until_ns - self.from_ns) as f64
+    }
+
+    /// The power was this up to now. Looking without a change of power changes no bit.
     pub(super) fn see(&mut self, now_ns: u64, total_mw: f64) {
-        self.energy += total_mw * (now_ns - self.until_ns) as f64;
+        if total_mw != self.level_mw {
+            self.energy = self.energy();
+            (self.level_mw, self.from_ns) = (total_mw, self.until_ns);
+        }
         self.until_ns = now_ns;
     }
 
@@ -222,7 +236,7 @@ impl Assessment {
     pub(super) fn mean_mw(&self, length_ns: u64, now_mw: f64) -> f64 {
         match length_ns {
             0 => now_mw,
-            _ => self.energy / length_ns as f64,
+            _ => self.energy() / length_ns as f64,
         }
     }
 }

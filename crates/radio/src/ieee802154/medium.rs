@@ -3,8 +3,7 @@
 use super::act::Band;
 use super::agenda::Agenda;
 use super::air::{Modulation, Reception};
-use super::fast::AIRTIME_NS_MAX;
-use super::mac::{Ear, Job, Radio, Timing, airtime_ns};
+use super::mac::{AIRTIME_NS_MAX, Ear, Job, Radio, Timing, airtime_ns};
 use super::mail::Mail;
 use super::{AccessStatistics, Ieee802154Config};
 use crate::channel::Channel;

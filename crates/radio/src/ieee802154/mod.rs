@@ -142,6 +142,10 @@ pub enum Quirks {
     /// last frame began (what ends together with the frame does count: signals arrive in the order of
     /// distance, and so do their ends); bits are rounded up in each part of a frame; the energy of an assessment is
     /// the highest seen when a frame begins or the assessment ends, noise not included.
+    ///
+    /// Parts of a frame end wherever another frame begins on the channel, also one that does not reach
+    /// the receiver. That is ns-3's own: with these quirks, radios out of reach do change chances
+    /// and signal to noise.
     Ns3,
 }
 

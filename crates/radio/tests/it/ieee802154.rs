@@ -759,23 +759,75 @@ fn the_order_of_adding_and_the_arithmetic_change_nothing() {
     }
 }
 
+/// What `played`, with each packet's signal to noise: sent, sender, receiver, SNR, link quality.
+fn heard_by_the_near(
+    config: &Ieee802154Config,
+    places: &[[f64; 3]],
+) -> Vec<(u64, u32, u32, u64, u8)> {
+    let specs = (0..places.len()).map(|bee| {
+        let mut spec = node(bee);
+        // The chance of each frame, as far as 8 bits tell it.
+        spec.phy = Phy {
+            quality: simbeeotic_radio::LinkQuality::Success,
+            ..Phy::ieee802154()
+        };
+        spec
+    });
+    let mut trial = Trial::new(config.clone(), specs.collect(), places.to_vec());
+    for k in 0..400u64 {
+        for bee in 0..places.len() as u64 {
+            // Five frames a second of 1.2 ms each, at times that drift past each other.
+            let at = k * 20_000_000 + (bee * 1_700_003 + k * bee * 13_331) % 20_000_000;
+            if (k + bee) % 4 == 0 {
+                trial.broadcast(
+                    SimTime::from_nanos(at.max(trial.now.nanos())),
+                    bee as u32,
+                    20,
+                );
+            }
+        }
+    }
+    trial.run(secs(10));
+    let near = trial.got.iter().filter(|got| got.receiver < 12);
+    let told = |g: &Got| (g.sent_ns, g.sender, g.receiver, g.snr_db.to_bits(), g.lqi);
+    near.map(told).collect()
+}
+
 #[test]
 fn nobody_out_of_reach_changes_anything() {
-    let (mut places, mut phases) = ball(20, 5);
-    let config = Ieee802154Config {
-        range_limit: Some(Length::from_metres(200.0)),
-        ..ns3_config(2)
-    };
-    let near: Vec<usize> = (0..20).collect();
-    let alone = played(&config, &near, &places, &phases);
-    for k in 0..10 {
-        places.push([5000.0 + f64::from(k), 0.0, 0.0]);
-        phases.push(phases[k as usize]);
+    // Noise of -101 dBm: 0 dB at 65 m. Most links of this ring lie between -2 and 3 dB.
+    let mut places: Vec<[f64; 3]> = (0..12u8)
+        .map(|k| {
+            let angle = f64::from(k) * std::f64::consts::TAU / 12.0;
+            let radius_m = 34.0 + 0.3 * f64::from(k);
+            [radius_m * angle.cos(), radius_m * angle.sin(), 0.0]
+        })
+        .collect();
+    for arithmetic in [Arithmetic::Fast, Arithmetic::Exact] {
+        let config = Ieee802154Config {
+            range_limit: Some(Length::from_metres(200.0)),
+            arithmetic,
+            phy: None,
+            quirks: simbeeotic_radio::Quirks::None,
+            ..ns3_config(2)
+        };
+        places.truncate(12);
+        let alone = heard_by_the_near(&config, &places);
+        let open = alone.iter().filter(|got| (5..250).contains(&got.4)).count();
+        assert!(
+            open > 300,
+            "{open} of {} frames hang on chance",
+            alone.len()
+        );
+        places.extend((0..10).map(|k| [5000.0 + 3.0 * f64::from(k), 0.0, 0.0]));
+        let among = heard_by_the_near(&config, &places);
+        assert!(
+            alone == among,
+            "{arithmetic:?}: {} and {} packets",
+            alone.len(),
+            among.len()
+        );
     }
-    let all: Vec<usize> = (0..30).collect();
-    let mut among = played(&config, &all, &places, &phases);
-    among.retain(|got| got.1 < 20);
-    assert_eq!(alone, among);
 }
 
 #[test]
