@@ -23,6 +23,10 @@ impl Physics {
     /// The earliest instant at which [`advance`](Self::advance) has something to do; `None` if nothing is
     /// ever going to happen by itself.
     pub fn next_time(&mut self) -> Option<SimTime> {
+        if self.horizon <= self.clock {
+            // Who advances to the horizon and does not settle would be sent there for ever.
+            self.settle(self.clock);
+        }
         self.settle_if_dirty();
         let due = self
             .queue

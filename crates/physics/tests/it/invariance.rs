@@ -197,3 +197,27 @@ fn the_bits_are_the_same_in_every_build() {
     let (contacts, word) = reference();
     assert_eq!((contacts.len(), word), (406, 0x3362_e3d9_70ab_e33e));
 }
+
+#[test]
+fn who_does_not_settle_gets_past_the_instants_at_which_lists_are_made_anew() {
+    let world = || {
+        let mut physics = crate::worlds::in_space();
+        for (x, speed) in [(-2.0, 1.0), (2.0, -1.0)] {
+            let (p, v) = (DVec3::new(x, 0.0, 0.0), DVec3::new(speed, 0.0, 0.0));
+            physics.add(crate::worlds::floating(p, v)).unwrap();
+        }
+        physics
+    };
+    let until = crate::worlds::seconds(3.0);
+    let settled = crate::worlds::run(&mut world(), until);
+    let (mut physics, mut contacts) = (world(), Vec::new());
+    for _ in 0..1000 {
+        match physics.next_time().filter(|next| *next <= until) {
+            Some(next) => physics.advance(next, &mut contacts),
+            None => break,
+        }
+    }
+    assert!(physics.next_time().is_none_or(|next| next > until));
+    assert_eq!(contacts.len(), 1);
+    assert_eq!(contacts[0].time, settled[0].time);
+}
