@@ -119,11 +119,11 @@ impl PacketWatch {
         now: SimTime,
     ) -> Option<Mark> {
         let mut frames = Vec::new();
-        medium.begun(&mut |frame| {
+        medium.begun(&mut |frame, channel| {
             if self.watches(frame.radio()) {
                 frames.push(Transmission {
                     frame: frame.clone(),
-                    channel: medium.spec(frame.radio()).channel,
+                    channel,
                     position: position(frame.sender()),
                 });
             }

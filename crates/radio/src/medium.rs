@@ -58,7 +58,10 @@ pub enum Command {
     Sleep,
     /// Switch on again.
     Wake,
-    /// Change the channel.
+    /// Change the channel. The radio hears on the new one from the next round on, the round of this
+    /// instant if there is one: all that is sent there, also by those who asked before. What itself was
+    /// asked to send before goes out on the old one if the medium sends at once, as the
+    /// [simple](crate::simple) one does.
     Tune(Channel),
     /// Change the power level, and with it what sending draws.
     Power {
@@ -100,8 +103,8 @@ pub trait Medium: Send + Sync {
     /// How many radios there are; their ids are 0 to here.
     fn radios(&self) -> usize;
 
-    /// What a radio is, as it stands after all commands. A new channel shows from the next round on:
-    /// frames submitted before it still go out on the old one.
+    /// What a radio is, as it stands after all commands. A new channel shows from the next round on at
+    /// the latest.
     fn spec(&self, radio: RadioId) -> &RadioSpec;
 
     /// Takes a request to send. What becomes of it is in the counters, and in an outcome if it
@@ -132,9 +135,9 @@ pub trait Medium: Send + Sync {
         scratch: &'a mut Scratch,
     ) -> Inbox<'a>;
 
-    /// Shows the frames whose transmission began in this round, in an order that repeats. For who
-    /// watches the air; a medium that shows none cannot be recorded packet by packet.
-    fn begun(&self, _visit: &mut dyn FnMut(&Frame)) {}
+    /// Shows the frames whose transmission began in this round and their channels, in an order that
+    /// repeats. For who watches the air; a medium that shows none cannot be recorded packet by packet.
+    fn begun(&self, _visit: &mut dyn FnMut(&Frame, Channel)) {}
 
     /// The power that a radio finds on its channel when it listens between frames: what clear
     /// channel assessment measures.

@@ -71,7 +71,11 @@ impl Platform<'_> {
         self.command(radio, Command::Wake);
     }
 
-    /// Tunes a radio to another channel. What was asked to be sent before goes out on the old one.
+    /// Tunes a radio to another channel.
+    ///
+    /// What is asked to be sent from then on goes out on the new one. On media without air time (`simple`
+    /// and its like) what was asked before goes out on the old one. The radio hears all that is sent on
+    /// the new channel at this instant, and nothing more on the old one, whoever else is asked first.
     ///
     /// A channel that makes no sense ends the run with an error that names this model.
     pub fn tune_radio(&mut self, radio: RadioHandle, channel: Channel) {

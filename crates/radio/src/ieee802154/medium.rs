@@ -264,8 +264,10 @@ impl Medium for Ieee802154Medium {
         }
     }
 
-    fn begun(&self, visit: &mut dyn FnMut(&Frame)) {
-        self.begun.iter().for_each(visit);
+    fn begun(&self, visit: &mut dyn FnMut(&Frame, Channel)) {
+        for frame in &self.begun {
+            visit(frame, self.spec(frame.radio).channel);
+        }
     }
 
     fn ambient(&self, radio: RadioId) -> PowerLevel {

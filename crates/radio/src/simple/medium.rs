@@ -1,8 +1,20 @@
 //! The simple medium at work.
+//!
+//! # Changing the channel
+//!
+//! Sending and receiving are settled apart. A frame goes out on the channel that its radio was last tuned
+//! to when it was asked for, whatever the radio is told later. What a radio hears is decided when the
+//! round opens: from the round of the instant of its `Tune` on it hears all frames of its new channel and
+//! none of its old one, also those that others asked for before. Both hang on the radio's own commands and
+//! on the frame alone, not on who else was asked before or after.
+//!
+//! So a radio may have frames to send on a channel that it has left. For their round it has a second row
+//! there, as a guest who hears nothing.
 
 use super::SimpleConfig;
 use super::band::{Band, Mode};
 use super::chance::Chances;
+use super::pair::Reach;
 use super::party::Party;
 use super::radio::{Heard, Radio};
 use super::success::{Curve, Noise};
@@ -35,12 +47,14 @@ pub struct SimpleMedium {
     pub(super) curves: Vec<Curve>,
     /// Lengths of frames that came up, bytes on the air.
     lengths: Vec<usize>,
-    /// Frames for the next round, and outcomes.
-    waiting: Vec<Frame>,
+    /// Frames for the next round, with the bands they go out on, and outcomes.
+    waiting: Vec<(u32, Frame)>,
     reports: Vec<(RadioId, Outcome)>,
     due: Option<SimTime>,
-    /// Changes of channel that wait for the frames sent before them.
-    tunings: Vec<(RadioId, Channel)>,
+    /// Radios that were tuned, and hear on their new channels from the next round on.
+    tuned: Vec<RadioId>,
+    /// Band and row of radios that send in this round where they do not listen, in the order of joining.
+    guests: Vec<(u32, u32)>,
     /// The present round and its outcomes, by radio.
     pub(super) now: SimTime,
     pub(super) round: u64,
@@ -71,7 +85,8 @@ impl SimpleMedium {
             waiting: Vec::new(),
             reports: Vec::new(),
             due: None,
-            tunings: Vec::new(),
+            tuned: Vec::new(),
+            guests: Vec::new(),
             now: SimTime::ZERO,
             round: 0,
             reported: Vec::new(),
@@ -88,54 +103,62 @@ impl SimpleMedium {
         }
     }
 
-    /// Tunes a radio in; returns band and row.
-    fn join(&mut self, radio: RadioId, spec: &RadioSpec, awake: bool) -> (u32, u32) {
+    /// The band of a channel, after making it if it is new.
+    fn band_of(&mut self, channel: Channel) -> u32 {
+        index_of(
+            &mut self.bands,
+            |band| band.channel == channel,
+            || Band::new(channel),
+        )
+    }
+
+    /// Gives a radio a row in a band.
+    fn join(&mut self, radio: RadioId, spec: &RadioSpec, band: u32, awake: bool) -> u32 {
         let noise = self.noise(spec);
         let curve = index_of(
             &mut self.curves,
             |curve| curve.is(&spec.error, noise),
             || Curve::new(Arc::clone(&spec.error), noise),
         );
-        let band = index_of(
-            &mut self.bands,
-            |band| band.channel == spec.channel,
-            || Band::new(spec.channel),
-        );
         let salt = draw_u64(self.luck, spec.key, u64::MAX) as u32;
-        let row = self.bands[band as usize].join(radio.0, spec, curve, salt, awake);
-        (band, row)
+        self.bands[band as usize].join(radio.0, spec, curve, salt, awake)
     }
 
-    /// Does the changes of channel whose time has come.
+    /// Takes a row away, and tells the radio that has it now.
+    fn leave(&mut self, band: u32, row: u32) -> Reach {
+        let (follower, reach) = self.bands[band as usize].leave(row);
+        if let Some(follower) = follower {
+            self.radios[follower as usize].row = row;
+        }
+        reach
+    }
+
+    /// Brings those who were tuned to where they hear from now on.
     fn retune(&mut self) {
-        if self.waiting.is_empty() {
-            for (id, channel) in std::mem::take(&mut self.tunings) {
-                self.move_to(id, channel);
-            }
+        // The last to come is the first to go: no guest is on the row of another.
+        while let Some((band, row)) = self.guests.pop() {
+            self.leave(band, row);
+        }
+        for id in std::mem::take(&mut self.tuned) {
+            self.move_to(id, self.radios[id.index()].sends_on);
         }
     }
 
     /// Moves a radio to another band.
-    fn move_to(&mut self, id: RadioId, channel: Channel) {
-        let spec = RadioSpec {
-            channel,
-            ..self.spec(id).clone()
-        };
+    fn move_to(&mut self, id: RadioId, band: u32) {
         let radio = &self.radios[id.index()];
-        let (old, awake) = (radio.band as usize, !radio.ledger.asleep());
-        let left_sent = self.bands[old].sent;
-        let (follower, reach) = self.bands[old].leave(radio.row);
-        radio.book_reach(reach);
-        let row = radio.row;
-        if let Some(follower) = follower {
-            self.radios[follower as usize].row = row;
+        let (old, row, awake) = (radio.band, radio.row, !radio.ledger.asleep());
+        if old == band {
+            return;
         }
-        let (band, row) = self.join(id, &spec, awake);
-        let joined_sent = self.bands[band as usize].sent;
+        let reach = self.leave(old, row);
+        let spec = self.specs[id.index()].clone();
+        let row = self.join(id, &spec, band, awake);
+        let sent = [old, band].map(|band| self.bands[band as usize].sent);
         let radio = &mut self.radios[id.index()];
-        radio.turn_over(left_sent, joined_sent);
+        radio.book_reach(reach);
+        radio.turn_over(sent[0], sent[1]);
         (radio.band, radio.row) = (band, row);
-        self.specs[id.index()] = spec;
     }
 
     /// Notes the outcome of a request, if its sender wants to know.
@@ -149,19 +172,41 @@ impl SimpleMedium {
 
     /// Puts the waiting frames on the air.
     fn send_waiting(&mut self) {
-        for frame in self.waiting.drain(..) {
-            let radio = &mut self.radios[frame.radio.index()];
+        let mut waiting = std::mem::take(&mut self.waiting);
+        for (band, frame) in waiting.drain(..) {
             let length = index_of(
                 &mut self.lengths,
                 |&bytes| bytes == frame.bytes,
                 || frame.bytes,
             );
-            radio.presence.own += 1;
-            self.bands[radio.band as usize].send(frame, radio.row, length);
+            let radio = &mut self.radios[frame.radio.index()];
+            let row = if radio.band == band {
+                radio.presence.own += 1;
+                radio.row
+            } else {
+                self.guest_row(frame.radio, band)
+            };
+            self.bands[band as usize].send(frame, row, length);
         }
+        self.waiting = waiting;
         for curve in &mut self.curves {
             curve.prepare(&self.lengths);
         }
+    }
+
+    /// The row of a radio that sends where it does not listen.
+    fn guest_row(&mut self, id: RadioId, band: u32) -> u32 {
+        // A radio's frames mostly come one after the other. A second row would do no harm.
+        if let Some(&(last_band, row)) = self.guests.last()
+            && last_band == band
+            && self.bands[band as usize].members.columns.radios[row as usize] == id.0
+        {
+            return row;
+        }
+        let spec = self.specs[id.index()].clone();
+        let row = self.join(id, &spec, band, false);
+        self.guests.push((band, row));
+        row
     }
 
     /// Moves the outcomes of the last commit to where inboxes find them.
@@ -200,7 +245,8 @@ impl Medium for SimpleMedium {
             return Err(RadioError::DuplicateKey { key: spec.key });
         }
         let id = RadioId(self.radios.len() as u32);
-        let (band, row) = self.join(id, &spec, true);
+        let band = self.band_of(spec.channel);
+        let row = self.join(id, &spec, band, true);
         let band_sent = self.bands[band as usize].sent;
         self.radios.push(Radio::new(band, row, band_sent));
         self.specs.push(spec);
@@ -216,7 +262,6 @@ impl Medium for SimpleMedium {
     }
 
     fn submit(&mut self, now: SimTime, request: Request) {
-        self.retune();
         let spec = &self.specs[request.radio.index()];
         let radio = &mut self.radios[request.radio.index()];
         let bytes = spec.frame_bytes(request.payload.len());
@@ -243,7 +288,7 @@ impl Medium for SimpleMedium {
         };
         radio.sent += 1;
         self.due = Some(now);
-        self.waiting.push(frame);
+        self.waiting.push((radio.sends_on, frame));
         self.report(now, &request, Ok(()));
     }
 
@@ -253,7 +298,6 @@ impl Medium for SimpleMedium {
         radio: RadioId,
         command: Command,
     ) -> Result<(), RadioError> {
-        self.retune();
         let id = radio;
         let radio = &mut self.radios[id.index()];
         let band = &mut self.bands[radio.band as usize];
@@ -272,8 +316,12 @@ impl Medium for SimpleMedium {
             }
             Command::Tune(channel) => {
                 let spec = self.specs[id.index()].clone();
-                RadioSpec { channel, ..spec }.check()?;
-                self.tunings.push((id, channel));
+                let spec = RadioSpec { channel, ..spec };
+                spec.check()?;
+                self.specs[id.index()] = spec;
+                let band = self.band_of(channel);
+                self.radios[id.index()].sends_on = band;
+                self.tuned.push(id);
             }
             Command::Power { level, current } => {
                 let mut spec = self.specs[id.index()].clone();
@@ -363,9 +411,11 @@ impl Medium for SimpleMedium {
         }
     }
 
-    fn begun(&self, visit: &mut dyn FnMut(&Frame)) {
+    fn begun(&self, visit: &mut dyn FnMut(&Frame, Channel)) {
         for band in &self.bands {
-            band.air.frames.iter().for_each(&mut *visit);
+            for frame in &band.air.frames {
+                visit(frame, band.channel);
+            }
         }
     }
 

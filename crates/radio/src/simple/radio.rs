@@ -25,6 +25,8 @@ pub(super) struct Radio {
     in_range: Tally,
     audible: Tally,
     pub(super) presence: Presence,
+    /// The band that its next frames go out on, and that it listens to from the next round on.
+    pub(super) sends_on: u32,
     /// Frames sent, ever.
     pub(super) sent: u64,
     /// Requests that did not become frames.
@@ -58,6 +60,7 @@ impl Radio {
         Self {
             band,
             row,
+            sends_on: band,
             sent: 0,
             sent_asleep: 0,
             too_long: 0,

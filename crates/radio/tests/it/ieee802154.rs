@@ -88,7 +88,7 @@ impl Trial {
         self.medium.open(now, &self.poses, &mut owners);
         let begun = &mut self.begun;
         self.medium
-            .begun(&mut |frame| begun.push((frame.radio().0, frame.sent().nanos())));
+            .begun(&mut |frame, _| begun.push((frame.radio().0, frame.sent().nanos())));
         let mut with_mail = Vec::new();
         for radio in 0..self.medium.radios() as u32 {
             let owner = self.medium.spec(RadioId(radio)).owner;

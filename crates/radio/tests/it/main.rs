@@ -9,3 +9,4 @@ mod ns3;
 mod path_loss;
 mod reference;
 mod support;
+mod tuning;
