@@ -140,7 +140,9 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
             Vec::new()
         }
     };
-    group::check_all(&models, root, channel.is_some(), cx);
+    // A section with a fault in it is there, too.
+    let has_channel = root.as_table().is_some_and(|t| t.get("channel").is_some());
+    group::check_all(&models, root, has_channel, cx);
     if cx.faults.iter().any(Fault::is_error) {
         return None;
     }

@@ -1,10 +1,15 @@
 //! `[channel]`: what distance, places and echoes do.
 
-use crate::{bad, good};
+use crate::{good, shown};
 use simbeeotic_model::ShadowingKind;
+use simbeeotic_scenario::{Request, load_text};
 
+/// A scenario of a bee with a radio.
 fn channel(lines: &str) -> String {
-    format!("[run]\nend_time = \"1 s\"\n[channel]\n{lines}\n[[model]]\nuse = \"inert-bee\"\n")
+    format!(
+        "[run]\nend_time = \"1 s\"\n[channel]\n{lines}\n\
+         [[model]]\nuse = \"inert-bee\"\n[model.radio]\nuse = \"cc2420\"\n"
+    )
 }
 
 #[test]
@@ -95,8 +100,23 @@ fn what_is_wrong_is_told_at_its_place_with_what_was_meant() {
             "did you mean `wet`",
         ),
         ("fadin = \"rayleigh\"", 1, "did you mean `fading`"),
+        ("medium = \"iee802154\"", 10, "did you mean `ieee802154`"),
+        (
+            "medium = { use = \"bernoulli\", delivery = 2 }",
+            41,
+            "delivery",
+        ),
+        (
+            "use = \"link-table\"\nfile = \"nowhere.csv\"",
+            8,
+            "cannot be read",
+        ),
     ] {
-        let shown = bad("swarm.toml", &channel(lines));
+        let Err(rejected) = load_text("swarm.toml", &channel(lines), &Request::default()) else {
+            panic!("this should be wrong: {lines}");
+        };
+        let shown = shown(&rejected);
+        assert_eq!(rejected.faults.len(), 1, "more than the fault:\n{shown}");
         assert!(shown.contains(words), "{lines}:\n{shown}");
         let line = 3 + lines.lines().count();
         assert!(
@@ -104,6 +124,18 @@ fn what_is_wrong_is_told_at_its_place_with_what_was_meant() {
             "{lines}, {line}:{column}:\n{shown}"
         );
     }
+}
+
+#[test]
+fn radios_without_a_channel_are_told_so_once() {
+    let without = channel("").replace("[channel]\n", "");
+    let loaded = good("swarm.toml", &without);
+    let messages: Vec<&str> = loaded.faults().iter().map(|f| f.message.as_str()).collect();
+    assert_eq!(
+        messages,
+        ["its radio is heard by nobody: there is no `[channel]`"]
+    );
+    assert!(good("swarm.toml", &channel("")).faults().is_empty());
 }
 
 #[test]
