@@ -58,10 +58,10 @@ pub enum Command {
     Sleep,
     /// Switch on again.
     Wake,
-    /// Change the channel. The radio hears on the new one from the next round on, the round of this
-    /// instant if there is one: all that is sent there, also by those who asked before. What itself was
-    /// asked to send before goes out on the old one if the medium sends at once, as the
-    /// [simple](crate::simple) one does.
+    /// Change the channel. What the radio was asked to send before goes out on the old one; where such
+    /// frames wait, it changes when they are done with. Else it hears on the new one from the next round
+    /// on, the round of this instant if there is one: all that is sent there, also by those who
+    /// asked before.
     Tune(Channel),
     /// Change the power level, and with it what sending draws.
     Power {

@@ -73,9 +73,10 @@ impl Platform<'_> {
 
     /// Tunes a radio to another channel.
     ///
-    /// What is asked to be sent from then on goes out on the new one. On media without air time (`simple`
-    /// and its like) what was asked before goes out on the old one. The radio hears all that is sent on
-    /// the new channel at this instant, and nothing more on the old one, whoever else is asked first.
+    /// What is asked to be sent from then on goes out on the new one, what was asked before on the old
+    /// one. Where frames wait (`ieee802154`), the radio stays on the old one until they are done with;
+    /// a frame that it was about to acknowledge it does not. Else the radio hears all that is sent on the
+    /// new channel at this instant, and nothing more on the old one, whoever else is asked first.
     ///
     /// A channel that makes no sense ends the run with an error that names this model.
     pub fn tune_radio(&mut self, radio: RadioHandle, channel: Channel) {

@@ -104,23 +104,43 @@ impl Ieee802154Medium {
         radio.presence.begin(band.started);
     }
 
-    /// Does the changes of channel whose time has come.
+    /// Does the changes of channel whose time has come, and begins with what waited for them.
     pub(super) fn retune(&mut self, now: SimTime, poses: &dyn Poses) {
-        let mut later = Vec::new();
-        for (id, channel) in std::mem::take(&mut self.tunings) {
-            if self.radios[id.index()].flight.is_some() {
-                later.push((id, channel));
-            } else if self.specs[id.index()].channel != channel {
-                self.move_to(id, channel, now, poses);
-            }
+        if self.tunings.is_empty() {
+            return;
         }
-        self.tunings = later;
+        let mut waiting = std::mem::take(&mut self.tunings);
+        waiting.retain(|&id| {
+            let mut tuned = false;
+            while let radio = &mut self.radios[id.index()]
+                && radio.flight.is_none()
+                && radio.tunes_next()
+                && let Some((_, channel)) = radio.tunings.pop_front()
+            {
+                tuned = true;
+                if self.specs[id.index()].channel != channel {
+                    self.move_to(id, channel, now, poses);
+                }
+            }
+            let radio = &self.radios[id.index()];
+            if tuned && radio.phase == Phase::Free && !radio.jobs.is_empty() {
+                self.begin(id.0, now.nanos());
+            }
+            !self.radios[id.index()].tunings.is_empty()
+        });
+        self.tunings = waiting;
     }
 
     fn move_to(&mut self, id: RadioId, channel: Channel, now: SimTime, poses: &dyn Poses) {
         let now_ns = now.nanos();
-        let radio = &self.radios[id.index()];
-        let (ear, row, old) = (radio.ear, radio.row as usize, radio.band as usize);
+        let radio = &mut self.radios[id.index()];
+        let mut ear = radio.ear;
+        if radio.acking.take().is_some() {
+            // The acknowledgement belonged to the old channel.
+            radio.ear_token = radio.ear_token.wrapping_add(1);
+            ear = Ear::Listening;
+        }
+        let (row, old) = (radio.row as usize, radio.band as usize);
         self.hear(id.0, now_ns, Ear::Asleep);
         let band = &mut self.bands[old];
         band.stop_sensing(id.0);
@@ -149,18 +169,6 @@ impl Ieee802154Medium {
             band.air.reveal(row, frame, power[0]);
         }
         self.hear(id.0, now_ns, ear);
-        // Whatever it knew of the channel is void.
-        let radio = &self.radios[id.index()];
-        let pending = matches!(
-            radio.phase,
-            Phase::Backoff | Phase::Sensing | Phase::Turning
-        );
-        if pending {
-            if radio.acking.is_none() {
-                self.hear(id.0, now_ns, Ear::Listening);
-            }
-            self.access(id.0, now_ns, now_ns);
-        }
     }
 
     /// Changes whether a radio hears; it gives up the frame that it is taking in.
@@ -368,7 +376,8 @@ impl Ieee802154Medium {
         }
         let more = !radio.jobs.is_empty();
         self.report(id, &job, result);
-        if more && !self.radios[id as usize].drowsy {
+        let radio = &self.radios[id as usize];
+        if more && !radio.drowsy && !radio.tunes_next() {
             self.begin(id, now_ns);
         }
     }

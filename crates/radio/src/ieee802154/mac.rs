@@ -1,6 +1,7 @@
 //! One radio: its queue, where it stands with the frame at its front, and its books.
 
 use super::air::Tally;
+use crate::channel::Channel;
 use crate::counters::{Counters, Loss};
 use crate::frame::{Frame, Ticket};
 use crate::ledger::Ledger;
@@ -252,6 +253,8 @@ pub(super) struct Radio {
     pub(super) drowsy: bool,
 
     pub(super) jobs: VecDeque<Job>,
+    /// Channels to change to, each when the requests before this number are done with.
+    pub(super) tunings: VecDeque<(u64, Channel)>,
     pub(super) phase: Phase,
     /// Events with another token are void: that of the job at the front, and that of turning to listen.
     pub(super) token: u32,
@@ -292,6 +295,7 @@ impl Radio {
             ear: Ear::default(),
             drowsy: false,
             jobs: VecDeque::new(),
+            tunings: VecDeque::new(),
             phase: Phase::Free,
             token: 0,
             ear_token: 0,
@@ -313,6 +317,13 @@ impl Radio {
             dropped_asleep: 0,
             books: Counters::default(),
         }
+    }
+
+    /// Whether it is to change its channel before it does anything else.
+    pub(super) fn tunes_next(&self) -> bool {
+        let front = self.jobs.front();
+        let next = self.tunings.front();
+        next.is_some_and(|&(before, _)| front.is_none_or(|job| job.sequence >= before))
     }
 
     /// Voids the events of the job at the front.

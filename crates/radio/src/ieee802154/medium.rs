@@ -6,7 +6,6 @@ use super::air::{Modulation, Reception};
 use super::mac::{AIRTIME_NS_MAX, Ear, Job, Radio, Timing, airtime_ns};
 use super::mail::Mail;
 use super::{AccessStatistics, Ieee802154Config};
-use crate::channel::Channel;
 use crate::counters::{Counters, Loss};
 use crate::frame::{Frame, Outcome, Request};
 use crate::inbox::{Inbox, Qualities, Receiver};
@@ -38,8 +37,8 @@ pub struct Ieee802154Medium {
     /// Outcomes of this round so far, or of the commits since.
     pub(super) reports: Vec<(RadioId, Outcome)>,
     due: Option<SimTime>,
-    /// Changes of channel that wait for the next round, or for the end of a frame.
-    pub(super) tunings: Vec<(RadioId, Channel)>,
+    /// Radios that are to change their channel: at once, or when what was asked before has been sent.
+    pub(super) tunings: Vec<RadioId>,
     pub(super) begun: Vec<Frame>,
     pub(super) statistics: AccessStatistics,
     pub(super) next_id: u32,
@@ -168,7 +167,8 @@ impl Medium for Ieee802154Medium {
         }
         radio.requests += 1;
         radio.jobs.push_back(job);
-        let first = radio.jobs.len() == 1;
+        // Behind a change of channel, the round begins with it.
+        let first = radio.jobs.len() == 1 && radio.tunings.is_empty();
         self.statistics.requests += 1;
         if first {
             self.begin(id.0, now.nanos());
@@ -187,7 +187,7 @@ impl Medium for Ieee802154Medium {
             Command::Sleep if radio.flight.is_some() => radio.drowsy = true,
             Command::Sleep if radio.ear != Ear::Asleep => {
                 self.fall_asleep(id.0, now.nanos());
-                if !self.reports.is_empty() {
+                if !self.reports.is_empty() || !self.tunings.is_empty() {
                     self.due = Some(now);
                 }
             }
@@ -202,7 +202,11 @@ impl Medium for Ieee802154Medium {
             Command::Tune(channel) => {
                 let spec = self.specs[id.index()].clone();
                 RadioSpec { channel, ..spec }.check()?;
-                self.tunings.push((id, channel));
+                radio.tunings.push_back((radio.requests, channel));
+                if !self.tunings.contains(&id) {
+                    self.tunings.push(id);
+                }
+                self.due = Some(now);
             }
             Command::Power { level, current } => {
                 let mut spec = self.specs[id.index()].clone();
@@ -233,6 +237,7 @@ impl Medium for Ieee802154Medium {
         self.retune(now, poses);
         while let Some(event) = self.agenda.pop(now.nanos()) {
             self.act(event, poses);
+            self.retune(SimTime::from_nanos(event.time_ns), poses);
         }
         let specs = &self.specs;
         self.mail.seal(&mut self.reports, |radio| {

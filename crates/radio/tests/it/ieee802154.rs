@@ -666,6 +666,101 @@ fn channels_are_apart_and_a_radio_may_change_its_own() {
     assert_time_is_whole(&trial, secs(3));
 }
 
+#[test]
+fn a_change_of_channel_takes_effect_at_once_whoever_else_has_something_to_do() {
+    let other = simbeeotic_radio::Channel::ieee802154(20).unwrap();
+    let begun = |busy: bool| {
+        let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0]);
+        trial.run(micros(1000));
+        for radio in [0, 1] {
+            let tune = Command::Tune(other);
+            trial
+                .medium
+                .command(micros(1000), RadioId(radio), tune)
+                .unwrap();
+        }
+        for _ in 0..3 {
+            let request = Request::broadcast(RadioId(0), vec![0; 30].into());
+            trial.medium.submit(micros(1000), request);
+        }
+        if busy {
+            // Somebody's timer.
+            (1001..9000).for_each(|us| trial.run(micros(us)));
+        }
+        trial.run(secs(1));
+        assert_eq!(trial.got.len(), 3);
+        assert!(
+            trial.got.iter().all(|got| got.receiver == 1),
+            "on the new one"
+        );
+        trial.begun
+    };
+    assert_eq!(begun(true), begun(false));
+}
+
+#[test]
+fn what_was_asked_to_be_sent_before_a_change_of_channel_goes_out_on_the_old_one() {
+    let [second, third] = [20, 25].map(|n| simbeeotic_radio::Channel::ieee802154(n).unwrap());
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0, 15.0]);
+    trial.run(micros(10));
+    for (radio, channel) in [(2, second), (3, third)] {
+        let tune = Command::Tune(channel);
+        trial
+            .medium
+            .command(micros(10), RadioId(radio), tune)
+            .unwrap();
+    }
+    trial.run(micros(20));
+    let send = |trial: &mut Trial, bytes: usize| {
+        let request = Request::broadcast(RadioId(0), vec![0; bytes].into());
+        trial.medium.submit(micros(20), request);
+    };
+    for channel in [second, third] {
+        send(&mut trial, 30);
+        send(&mut trial, 40);
+        let tune = Command::Tune(channel);
+        trial.medium.command(micros(20), RadioId(0), tune).unwrap();
+    }
+    send(&mut trial, 30);
+    trial.run(secs(1));
+    let receivers: Vec<u32> = trial.got.iter().map(|got| got.receiver).collect();
+    assert_eq!(receivers, [1, 1, 2, 2, 3]);
+    assert_eq!(trial.medium.spec(RadioId(0)).channel, third);
+    assert_time_is_whole(&trial, secs(1));
+}
+
+#[test]
+fn who_changes_channel_before_its_acknowledgement_does_not_acknowledge() {
+    let other = simbeeotic_radio::Channel::ieee802154(20).unwrap();
+    let mut trial = Trial::line(Ieee802154Config::default(), &[0.0, 5.0, 10.0]);
+    trial.run(micros(10));
+    let tune = Command::Tune(other);
+    trial.medium.command(micros(10), RadioId(2), tune).unwrap();
+    let request = unicast(0, 1, 4, 7);
+    trial.submit(micros(20), request);
+    while trial.got.is_empty() {
+        let next = trial.medium.next_time().unwrap();
+        trial.open(next);
+    }
+    // Its acknowledgement is 192 us away.
+    let now = trial.now;
+    trial.medium.command(now, RadioId(1), tune).unwrap();
+    trial.run(now.saturating_add_nanos(1_000));
+    assert_eq!(
+        trial.medium.state(RadioId(1), trial.now),
+        RadioState::Listen
+    );
+    trial.run(secs(1));
+    assert_eq!(state_us(&trial, 1, RadioState::Transmit, secs(1)), 0.0);
+    assert_eq!(state_us(&trial, 2, RadioState::Receive, secs(1)), 0.0);
+    assert_eq!(trial.counters(0).lost(Loss::NoAcknowledgement), 1);
+    // It hears on its new channel.
+    let request = Request::broadcast(RadioId(1), vec![0; 4].into());
+    trial.submit(secs(1), request);
+    trial.run(secs(2));
+    assert_eq!((trial.got.len(), trial.got[1].receiver), (2, 2));
+}
+
 /// Nodes in a ball of 20 m, each with a phase of its own.
 fn ball(n: usize, seed: u64) -> (Vec<[f64; 3]>, Vec<u64>) {
     let mut stream = Stream::new(seed, "test", "ball");
