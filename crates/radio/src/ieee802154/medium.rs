@@ -6,6 +6,7 @@ use super::air::{Modulation, Reception};
 use super::mac::{AIRTIME_NS_MAX, Ear, Job, Radio, Timing, airtime_ns};
 use super::mail::Mail;
 use super::{AccessStatistics, Ieee802154Config};
+use crate::channel::Channel;
 use crate::counters::{Counters, Loss};
 use crate::frame::{Frame, Outcome, Request};
 use crate::inbox::{Inbox, Qualities, Receiver};
