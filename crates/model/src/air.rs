@@ -42,7 +42,30 @@ pub trait Fidelity: Sized + 'static {
     /// # Errors
     /// Settings that make no sense, by [`BuildError::parameter`].
     fn medium(params: Self::Params, air: &Air) -> Result<Option<Box<dyn Medium>>, BuildError>;
+
+    /// The keys of `[channel]` that this level leaves aside, and what it does instead. Where the
+    /// scenario has such a key, it is warned of it there. None unless said.
+    fn leaves_aside(_air: &Air) -> Vec<Aside> {
+        Vec::new()
+    }
+}
+
+/// A key of `[channel]` that a level of fidelity leaves aside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Aside {
+    /// The key: `noise_floor`, `shadowing`, ...
+    pub key: &'static str,
+    /// What becomes of it: a clause that goes on after "`noise_floor` ".
+    pub message: &'static str,
+}
+
+/// A medium as its maker hands it over.
+pub struct MadeAir {
+    /// The medium; `None`: no packet goes anywhere.
+    pub medium: Option<Box<dyn Medium>>,
+    /// What it leaves aside of `[channel]`.
+    pub aside: Vec<Aside>,
 }
 
 /// Makes a medium from its checked section.
-pub type AirMaker = fn(&Node, &Air) -> Result<Option<Box<dyn Medium>>, Vec<Fault>>;
+pub type AirMaker = fn(&Node, &Air) -> Result<MadeAir, Vec<Fault>>;

@@ -53,7 +53,7 @@ pub mod vehicle;
 pub mod view;
 mod watch;
 
-pub use air::{Air, Fidelity, NoiseFloor};
+pub use air::{Air, Aside, Fidelity, MadeAir, NoiseFloor};
 pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle, SentHandler};
 pub use component::{Component, ComponentError, Note};

@@ -6,7 +6,7 @@
 //! A crate that is only listed in `Cargo.toml` registers nothing until the program refers to it
 //! (`use my_parts as _;`).
 
-use crate::air::{AirMaker, Fidelity};
+use crate::air::{AirMaker, Fidelity, MadeAir};
 use crate::behavior::{Behavior, BuildError};
 use crate::component::Component;
 use crate::config::{Fault, Node, Params, read_params};
@@ -336,7 +336,10 @@ impl Part {
     pub const fn medium<F: Fidelity>(label: Label) -> Self {
         let make: AirMaker = |node, air| {
             let recipe = Recipe::<F::Params>::read(node)?;
-            F::medium(recipe.params.clone(), air).map_err(|e| vec![recipe.place(e)])
+            let medium =
+                F::medium(recipe.params.clone(), air).map_err(|e| vec![recipe.place(e)])?;
+            let aside = F::leaves_aside(air);
+            Ok(MadeAir { medium, aside })
         };
         Self::new::<F::Params>(label, Kind::Medium, Make::Medium(make))
     }

@@ -3,7 +3,7 @@
 use super::chance;
 use simbeeotic_model::radio::{Delivery, Medium};
 use simbeeotic_model::units::Length;
-use simbeeotic_model::{Air, BuildError, Fidelity, medium, params};
+use simbeeotic_model::{Air, Aside, BuildError, Fidelity, medium, params};
 
 /// An air that delivers by chance: no air time, no interference, no noise.
 ///
@@ -36,5 +36,9 @@ impl Fidelity for Bernoulli {
         let points = params.curve.as_deref();
         let curve = chance::curve(("delivery", params.delivery), ("curve", points))?;
         chance::medium(Delivery::Chance(curve), air)
+    }
+
+    fn leaves_aside(_air: &Air) -> Vec<Aside> {
+        chance::aside()
     }
 }

@@ -4,7 +4,7 @@ use simbeeotic_model::radio::{
     Delivery, DeliveryCurve, Medium, RadioError, SimpleConfig, SimpleMedium,
 };
 use simbeeotic_model::units::Length;
-use simbeeotic_model::{Air, BuildError};
+use simbeeotic_model::{Air, Aside, BuildError};
 
 /// The curve of a level chance or of points, whichever is given, each with its key; all is delivered if
 /// neither is.
@@ -36,4 +36,13 @@ pub(super) fn medium(delivery: Delivery, air: &Air) -> Result<Option<Box<dyn Med
         ..super::simple::config(air)
     };
     Ok(Some(Box::new(SimpleMedium::new(config)?)))
+}
+
+/// What power decides elsewhere, and here nothing.
+pub(super) fn aside() -> Vec<Aside> {
+    let message =
+        "plays no part in who hears, which is a matter of chance here: it shows in the RSSI alone";
+    ["shadowing", "fading", "walls"]
+        .map(|key| Aside { key, message })
+        .into()
 }

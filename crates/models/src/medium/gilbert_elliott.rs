@@ -3,7 +3,7 @@
 use super::chance;
 use simbeeotic_model::radio::{Delivery, GilbertElliott as Channel, Medium};
 use simbeeotic_model::units::{Length, Time};
-use simbeeotic_model::{Air, BuildError, Fidelity, medium, params};
+use simbeeotic_model::{Air, Aside, BuildError, Fidelity, medium, params};
 
 /// An air in which each link is good for a while, then bad for a while: losses come in bursts.
 ///
@@ -76,5 +76,9 @@ impl Fidelity for GilbertElliott {
             symmetric: params.symmetric,
         });
         chance::medium(delivery, air)
+    }
+
+    fn leaves_aside(_air: &Air) -> Vec<Aside> {
+        chance::aside()
     }
 }

@@ -2,7 +2,7 @@
 
 use simbeeotic_model::radio::{Arithmetic as Way, Ieee802154Config, Ieee802154Medium, Medium, Phy};
 use simbeeotic_model::units::Decibels;
-use simbeeotic_model::{Air, BuildError, Fidelity, choice, medium, params};
+use simbeeotic_model::{Air, Aside, BuildError, Fidelity, NoiseFloor, choice, medium, params};
 use std::sync::Arc;
 
 /// IEEE 802.15.4 without slots, and its kin: packets take their air time, radios assess the channel
@@ -11,7 +11,8 @@ use std::sync::Arc;
 ///
 /// Motion during a frame is not modelled; frames on different channels do not disturb each other.
 /// `range_limit` cuts off signal and interference where `[channel]` has it; `noise_floor.mean` takes the
-/// place of each radio's own noise (its `sigma` must be zero: what fades is the signal).
+/// place of each radio's own noise if its `sigma` is zero. A noise that is drawn, with a `sigma`, is that of
+/// `simple`: it is left aside with a warning, and each radio keeps its own.
 #[medium("ieee802154")]
 pub struct Ieee802154;
 
@@ -79,16 +80,24 @@ impl Fidelity for Ieee802154 {
             Arithmetic::Fast => Way::Fast,
             Arithmetic::Exact => Way::Exact,
         };
-        if let Some(noise) = air.noise_floor {
-            if noise.sigma != Decibels::ZERO {
-                return Err(BuildError::Other(
-                    "this medium knows no noise drawn for each packet: set `noise_floor` with a \
-                     `sigma` of \"0 dB\", or leave it out for each radio's own noise"
-                        .to_owned(),
-                ));
-            }
+        if let Some(noise) = air.noise_floor.filter(steady) {
             config.noise = Some(noise.mean);
         }
         Ok(Some(Box::new(Ieee802154Medium::new(config)?)))
     }
+
+    fn leaves_aside(air: &Air) -> Vec<Aside> {
+        let drawn = air.noise_floor.filter(|noise| !steady(noise));
+        let aside = Aside {
+            key: "noise_floor",
+            message: "has a `sigma`, and `ieee802154` draws no noise: each radio's own noise takes its \
+                      place; with `sigma = \"0 dB\"` its mean would",
+        };
+        drawn.map(|_| aside).into_iter().collect()
+    }
+}
+
+/// Whether a noise is the same for each packet.
+fn steady(noise: &NoiseFloor) -> bool {
+    noise.sigma == Decibels::ZERO
 }

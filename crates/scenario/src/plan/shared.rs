@@ -6,7 +6,7 @@ use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
 use simbeeotic_model::radio::{Composite, FreeSpace, Medium, Propagation};
 use simbeeotic_model::registry::{Kind, Make, Site, find};
-use simbeeotic_model::{Air, NoiseFloor, ShadowingParams};
+use simbeeotic_model::{Air, MadeAir, NoiseFloor, ShadowingParams};
 use simbeeotic_units::{Decibels, Length, PowerLevel};
 use simbeeotic_world::World;
 use std::sync::Arc;
@@ -39,6 +39,11 @@ impl Channel {
     /// # Errors
     /// Settings that a part refuses.
     pub(crate) fn medium(&self, site: &Site<'_>) -> Result<Option<Box<dyn Medium>>, Vec<Fault>> {
+        Ok(self.air(site)?.medium)
+    }
+
+    /// The same, with what it leaves aside.
+    fn air(&self, site: &Site<'_>) -> Result<MadeAir, Vec<Fault>> {
         let propagation = self.propagation(site)?;
         let air = Air {
             seed: site.seed,
@@ -49,7 +54,10 @@ impl Channel {
         };
         match self.medium.part.make {
             Make::Medium(make) => make(&self.medium.params, &air),
-            _ => Ok(None),
+            _ => Ok(MadeAir {
+                medium: None,
+                aside: Vec::new(),
+            }),
         }
     }
 
@@ -152,10 +160,19 @@ pub(super) fn channel(node: &Node, cx: &mut Context<'_>) -> Option<Channel> {
             seed: 0,
             folder: &cx.folder,
         };
-        channel
-            .medium(&site)
+        let made = channel
+            .air(&site)
             .map_err(|found| faults.extend(found))
             .ok()?;
+        for aside in made.aside {
+            let key = node.as_table().and_then(|t| t.entry(aside.key));
+            if let Some((key, value)) = key
+                && !matches!(value.value, Value::Bool(false))
+            {
+                let message = format!("`{}` {}", aside.key, aside.message);
+                faults.push(Fault::warning(key.span, message));
+            }
+        }
     }
     Some(channel)
 }

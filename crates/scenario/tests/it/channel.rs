@@ -127,6 +127,42 @@ fn what_is_wrong_is_told_at_its_place_with_what_was_meant() {
 }
 
 #[test]
+fn what_a_medium_leaves_aside_is_warned_of_at_its_key_and_runs() {
+    let noise = "noise_floor = { mean = \"-100 dBm\", sigma = \"10 dB\" }";
+    let steady = "noise_floor = { mean = \"-100 dBm\", sigma = \"0 dB\" }";
+    let shadows = "shadowing = { sigma = \"4 dB\" }\nfading = \"rayleigh\"\nwalls = true";
+    for (medium, lines, keys) in [
+        ("ieee802154", noise, vec!["noise_floor"]),
+        ("ieee802154", steady, vec![]),
+        ("ieee802154", shadows, vec![]),
+        ("simple", noise, vec![]),
+        ("simple", shadows, vec![]),
+        ("bernoulli", shadows, vec!["shadowing", "fading", "walls"]),
+        (
+            "gilbert-elliott",
+            shadows,
+            vec!["shadowing", "fading", "walls"],
+        ),
+        ("bernoulli", "walls = false", vec![]),
+        ("off", shadows, vec![]),
+    ] {
+        let text = channel(&format!("medium = \"{medium}\"\n{lines}"));
+        let loaded = good("swarm.toml", &text);
+        let found: Vec<&str> = loaded
+            .faults()
+            .iter()
+            .map(|fault| {
+                assert!(!fault.is_error(), "{fault}");
+                let span = fault.span.expect("a place");
+                &text[span.start..span.end]
+            })
+            .collect();
+        assert_eq!(found, keys, "{medium}, {lines}");
+        loaded.setup().expect("a set-up");
+    }
+}
+
+#[test]
 fn radios_without_a_channel_are_told_so_once() {
     let without = channel("").replace("[channel]\n", "");
     let loaded = good("swarm.toml", &without);
