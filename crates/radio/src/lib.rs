@@ -73,6 +73,7 @@
 //! 5. [`phy`] and [`mod@ieee802154`]: air time, medium access and interference;
 //! 6. [`ledger`] and [`counters`]: time, charge and losses.
 
+mod aim;
 pub mod antenna;
 pub mod at86rf23x;
 pub mod bit_errors;

@@ -1,13 +1,14 @@
 //! The radios on one channel, a row each, and the power that a frame has at each of them.
 
+use crate::aim::{self, End, antenna_from_world};
 use crate::antenna::Antenna;
 use crate::medium::Poses;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::radio::RadioSpec;
 use crate::scratch::ROW;
-use glam::DVec3;
+use glam::{DVec3, Mat3};
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Attitude, Frequency, Mount, Position};
+use simbeeotic_units::{Frequency, Mount, Position};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -25,8 +26,8 @@ pub(super) struct Members {
     gains: Vec<f32>,
     mounts: Vec<Mount>,
     directed: Vec<Option<Arc<dyn Antenna>>>,
-    /// world_from_antenna, where it matters.
-    attitudes: Vec<Attitude>,
+    /// Rotations of directions from the world's frame to the antenna's, where it matters.
+    antenna_from_world: Vec<Mat3>,
     any_mounted: bool,
     any_directed: bool,
     /// Who is listening, and the frames that passed beyond the range limit meanwhile.
@@ -48,7 +49,7 @@ pub(super) struct Source {
     /// Power sent times the gain of an antenna without direction, milliwatts.
     eirp_mw: f32,
     directed: Option<Arc<dyn Antenna>>,
-    attitude: Attitude,
+    antenna_from_world: Mat3,
     /// The sender's own row, where it hears nothing.
     row: usize,
 }
@@ -96,7 +97,7 @@ impl Members {
         self.gains.push(1.0);
         self.mounts.push(Mount::default());
         self.directed.push(None);
-        self.attitudes.push(Attitude::IDENTITY);
+        self.antenna_from_world.push(Mat3::IDENTITY);
         self.beyond.push(0);
         self.listening.push(false);
     }
@@ -138,7 +139,7 @@ impl Members {
         let mount = self.mounts[row];
         if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
             let antenna = poses.pose(self.owners[row]) * mount;
-            self.attitudes[row] = antenna.attitude;
+            self.antenna_from_world[row] = antenna_from_world(antenna.attitude);
             let place = antenna.position.si().as_vec3().to_array();
             (0..3).for_each(|axis| self.enu_m[axis][row] = place[axis]);
         }
@@ -160,7 +161,7 @@ impl Members {
             enu_m: self.at(row),
             eirp_mw: power_mw * self.gains[row],
             directed: self.directed[row].clone(),
-            attitude: self.attitudes[row],
+            antenna_from_world: self.antenna_from_world[row],
             row,
         }
     }
@@ -259,19 +260,17 @@ impl Members {
 
     /// Gains of the antennas with a direction at both ends of a link.
     fn directed_gain(&self, source: &Source, row: usize) -> f32 {
-        // Two antennas in one place have no direction to each other.
-        let Some(tx_to_rx) = (place(self.at(row)) - place(source.enu_m)).try_normalize() else {
-            return 1.0;
+        let tx = End {
+            enu_m: source.enu_m,
+            antenna: source.directed.as_deref(),
+            antenna_from_world: source.antenna_from_world,
         };
-        let gain = |antenna: &Option<Arc<dyn Antenna>>, attitude: Attitude, direction: DVec3| {
-            antenna.as_ref().map_or(1.0, |antenna| {
-                let seen = attitude.unrotate(Position::from_si(direction));
-                antenna.gain(seen.si()).ratio()
-            })
+        let rx = End {
+            enu_m: self.at(row),
+            antenna: self.directed[row].as_deref(),
+            antenna_from_world: self.antenna_from_world[row],
         };
-        let tx = gain(&source.directed, source.attitude, tx_to_rx);
-        let rx = gain(&self.directed[row], self.attitudes[row], -tx_to_rx);
-        (tx * rx) as f32
+        aim::directed_gain(&tx, &rx)
     }
 
     fn wall_gain(

@@ -2,6 +2,7 @@
 
 use super::near::{self, Near};
 use super::pair::{Listeners, Reach};
+use crate::aim::antenna_from_world;
 use crate::antenna::Antenna;
 use crate::channel::Channel;
 use crate::frame::Frame;
@@ -344,8 +345,7 @@ impl Members {
         let mut place = position;
         if self.directed[row].is_some() || mount.position != Mount::IDENTITY.position {
             let antenna = poses.pose(self.owners[row]) * mount;
-            let world_from_antenna = antenna.attitude.matrix();
-            self.antenna_from_world[row] = world_from_antenna.transpose().as_mat3();
+            self.antenna_from_world[row] = antenna_from_world(antenna.attitude);
             place = antenna.position;
         }
         let place = place.si().as_vec3().to_array();

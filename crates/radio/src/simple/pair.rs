@@ -7,11 +7,12 @@
 
 use super::band::{Air, Members};
 use super::success::{LEAST, SLOTS, slot};
+use crate::aim::{self, End};
 use crate::inbox::Hit;
 use crate::medium::Poses;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::scratch::{ROW, Row, Scratch};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use simbeeotic_kernel::rng::draw_u32;
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_units::{Frequency, Position};
@@ -381,15 +382,10 @@ pub(super) fn pick(
 
 /// Gains of the antennas with a direction at both ends of a link.
 fn directed_gain(members: &Members, tx: usize, rx: usize) -> f32 {
-    let [east, north, up] = &members.places;
-    let place = |row: usize| Vec3::new(east[row], north[row], up[row]);
-    // Two antennas in one place have no direction to each other.
-    let Some(tx_to_rx) = (place(rx) - place(tx)).try_normalize() else {
-        return 1.0;
+    let end = |row: usize| End {
+        enu_m: [0, 1, 2].map(|axis| members.places[axis][row]),
+        antenna: members.directed[row].as_deref(),
+        antenna_from_world: members.antenna_from_world[row],
     };
-    let gain = |row: usize, direction: Vec3| match &members.directed[row] {
-        Some(antenna) => antenna.gain_linear(members.antenna_from_world[row] * direction),
-        None => 1.0,
-    };
-    gain(tx, tx_to_rx) * gain(rx, -tx_to_rx)
+    aim::directed_gain(&end(tx), &end(rx))
 }

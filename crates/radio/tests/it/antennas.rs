@@ -2,7 +2,11 @@
 
 use crate::support::{Still, bee, broadcast, config, medium, quiet, round, secs};
 use proptest::prelude::*;
-use simbeeotic_radio::{Antenna, Cosine, HalfWaveDipole, Isotropic, Patch, RadioSpec, ShortDipole};
+use simbeeotic_kernel::Stream;
+use simbeeotic_radio::{
+    Antenna, Arithmetic, Cosine, HalfWaveDipole, Ieee802154Config, Ieee802154Medium, Isotropic,
+    Medium, Patch, RadioId, RadioSpec, Scratch, ShortDipole, SimpleConfig, SimpleMedium,
+};
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{
     Angle, Attitude, Decibels, Mount, Offset, Pose, Position, PowerLevel, Yaw, math,
@@ -239,5 +243,92 @@ proptest! {
             let power = power.expect("it is heard");
             prop_assert!((power - expected_dbm).abs() < 0.02, "{power} for {expected_dbm}");
         }
+    }
+}
+
+/// Bits of the RSSI at each of `specs` of a frame that the first sends; 0 where it is not received.
+fn rssi_bits(mut air: impl Medium, specs: &[RadioSpec], poses: &Still) -> Vec<u64> {
+    for spec in specs {
+        air.add(spec.clone()).unwrap();
+    }
+    air.submit(secs(1), broadcast(0, b"x"));
+    let mut bits = vec![0; specs.len()];
+    let (mut owners, mut scratch) = (Vec::new(), Scratch::new());
+    while let Some(now) = air.next_time() {
+        air.open(now, poses, &mut owners);
+        for owner in &owners {
+            let inbox = air.collect(RadioId(owner.0), poses, &mut scratch);
+            for packet in &inbox {
+                bits[owner.index()] = packet.rssi().dbm().to_bits();
+            }
+        }
+    }
+    bits
+}
+
+#[test]
+fn a_link_has_the_same_rssi_on_all_media_to_the_bit() {
+    let mut rng = Stream::new(11, "links", "test");
+    let mut received = 0;
+    for _ in 0..100 {
+        let mut turn = || turned(rng.uniform_in(-3.0..3.0), rng.uniform_in(-1.5..1.5), 0.0);
+        let (body, mounted) = (turn(), turn());
+        let poses = Still(
+            (0..8)
+                .map(|_| Pose::new(Position::from_si(rng.in_ball(15.0)), body))
+                .collect(),
+        );
+        let specs: Vec<RadioSpec> = (0..8)
+            .map(|i| {
+                let antenna: Arc<dyn Antenna> = match rng.below(5) {
+                    0 => Arc::new(HalfWaveDipole::default()),
+                    1 => Arc::new(Patch::default()),
+                    2 => Arc::new(ShortDipole::default()),
+                    3 => Arc::new(Lobe),
+                    _ => Arc::new(Isotropic {
+                        gain: Decibels::from_db(1.7),
+                    }),
+                };
+                let mount = Mount::new(Offset::from_si(rng.in_ball(0.2)), mounted);
+                RadioSpec {
+                    antenna,
+                    mount,
+                    ..bee(i)
+                }
+            })
+            .collect();
+        for walls in [false, true] {
+            let simple = SimpleMedium::new(SimpleConfig { walls, ..quiet() }).unwrap();
+            let simple = rssi_bits(simple, &specs, &poses);
+            let ieee802154 = |arithmetic| {
+                let config = Ieee802154Config {
+                    walls,
+                    arithmetic,
+                    range_limit: Some(quiet().range_limit),
+                    ..Ieee802154Config::default()
+                };
+                rssi_bits(Ieee802154Medium::new(config).unwrap(), &specs, &poses)
+            };
+            for other in [ieee802154(Arithmetic::Fast), ieee802154(Arithmetic::Exact)] {
+                for (receiver, (a, b)) in simple.iter().zip(&other).enumerate() {
+                    if *a != 0 && *b != 0 {
+                        received += 1;
+                        let [x, y] = [a, b].map(|bits| f64::from_bits(*bits));
+                        assert_eq!(a, b, "{x} and {y} dBm, {:?}", specs[receiver].antenna);
+                    }
+                }
+            }
+        }
+    }
+    assert!(received > 2000, "{received} links");
+}
+
+/// A user's antenna, with one method.
+#[derive(Debug)]
+struct Lobe;
+
+impl Antenna for Lobe {
+    fn gain(&self, direction: DVec3) -> Decibels {
+        Decibels::from_db(6.0 * direction.x - 2.0)
     }
 }
