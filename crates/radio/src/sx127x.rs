@@ -5,7 +5,7 @@
 //! | symbol | `2^SF / BW` | datasheet, 4.1.1 |
 //! | air time | [`Lora::airtime`] | datasheet, 4.1.1.7 |
 //! | least ratio of signal to noise | -7.5 dB at SF 7, 2.5 dB less for each step, -20 dB at SF 12 | datasheet, table 13 |
-//! | noise | `-174 dBm + 10 log10 BW + 6 dB` | datasheet's sensitivities: -123 dBm at SF 7, -136 dBm at SF 12 with 125 kHz |
+//! | noise | `-174 dBm + 10 log10 BW + 6 dB` | Semtech's formula of sensitivity with a noise figure of 6 dB: -124.5 dBm at SF 7, -137 dBm at SF 12 with 125 kHz; the datasheet's table is quoted with -123 and -136 dBm, 1.5 and 1 dB worse |
 //! | transmit | 20, 29, 87, 120 mA at 7, 13, 17, 20 dBm | datasheet, 2.5.1 |
 //! | receive | 10.8, 11.5, 12.0 mA (125, 250, 500 kHz) | datasheet, 2.5.5 |
 //! | idle (standby) | 1.6 mA | datasheet, 2.5.1 |
