@@ -11,7 +11,7 @@ use simbeeotic_radio::{
     Ieee802154Config, Ieee802154Medium, LogDistance, Medium, Poses, RadioId, RadioSpec, Request,
     Scratch, cc2420,
 };
-use simbeeotic_units::{Attitude, Decibels, Pose, Position, PowerLevel};
+use simbeeotic_units::{Attitude, Pose, Position, PowerLevel};
 use std::sync::Arc;
 
 struct Ball(Vec<Position>);
@@ -42,10 +42,7 @@ impl Swarm {
         let places = (0..n).map(|_| Position::from_si(stream.in_ball(20.0)));
         let poses = Ball(places.collect());
         let config = Ieee802154Config {
-            propagation: Arc::new(LogDistance {
-                reference_loss: Some(Decibels::from_db(46.6777)),
-                ..LogDistance::default()
-            }),
+            propagation: Arc::new(LogDistance::ns3()),
             noise: Some(PowerLevel::from_dbm(-98.0)),
             ..Ieee802154Config::ns3()
         };

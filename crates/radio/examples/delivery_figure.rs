@@ -11,10 +11,10 @@
 use simbeeotic_kernel::rng::{Stream, path_key};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_radio::{
-    Ieee802154Config, Ieee802154Medium, LogDistance, Medium, Poses, RadioId, RadioSpec, Request,
-    Scratch, SimpleConfig, SimpleMedium, cc2420,
+    Ieee802154Config, Ieee802154Medium, LogDistance, Medium, RadioSpec, SimpleConfig, SimpleMedium,
+    cc2420, drive,
 };
-use simbeeotic_units::{Attitude, Decibels, Length, Pose, Position, math};
+use simbeeotic_units::{Length, Position, math};
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
@@ -62,19 +62,17 @@ struct Line {
 /// The medium with air time, with the radio and the loss that ns-3 has.
 fn ieee802154() -> Ieee802154Medium {
     Ieee802154Medium::new(Ieee802154Config {
-        propagation: Arc::new(LogDistance {
-            reference_loss: Some(Decibels::from_db(46.6777)),
-            ..LogDistance::default()
-        }),
+        propagation: Arc::new(LogDistance::ns3()),
         queue_frames: Some(usize::MAX),
         ..Ieee802154Config::ns3()
     })
     .expect("settings that make sense")
 }
 
-/// The paper's medium, with all in reach.
+/// The paper's medium with the same loss, and all in reach.
 fn simple() -> SimpleMedium {
     SimpleMedium::new(SimpleConfig {
+        propagation: Arc::new(LogDistance::ns3()),
         range_limit: Length::from_metres(50.0),
         ..SimpleConfig::default()
     })
@@ -112,15 +110,6 @@ fn sweep(
     Ok(points)
 }
 
-/// Nodes that stay where they are.
-struct Still(Vec<Pose>);
-
-impl Poses for Still {
-    fn pose(&self, owner: ModelId) -> Pose {
-        self.0[owner.index()]
-    }
-}
-
 /// Lets `n` nodes broadcast 20 bytes a second: receptions over transmissions and others.
 fn delivered(
     medium: &mut dyn Medium,
@@ -130,41 +119,18 @@ fn delivered(
     topology: u64,
 ) -> Result<f64, Box<dyn Error>> {
     let mut chance = Stream::new(topology, "delivery", "topology");
-    let mut asks = Vec::new();
-    let mut poses = Still(Vec::new());
+    let (mut places, mut phases_ns) = (Vec::new(), Vec::new());
     for node in 0..n {
         let key = path_key(&format!("topology-{topology}/node-{node}/radio"));
         let owner = ModelId(node);
         let spec = cc2420::spec(11, 31).ok_or("there is no channel 11")?;
         medium.add(RadioSpec { owner, key, ..spec })?;
-        let place = Position::from_si(chance.in_ball(20.0));
-        poses.0.push(Pose::new(place, Attitude::IDENTITY));
+        places.push(Position::from_si(chance.in_ball(20.0)));
         let phase_ns = (chance.uniform_in(0.0..1.0) * 1e9) as u64;
-        let phase_ns = if synchronous { 0 } else { phase_ns };
-        asks.extend((0..seconds).map(|second| (second * 1_000_000_000 + phase_ns, node)));
+        phases_ns.push(if synchronous { 0 } else { phase_ns });
     }
-    asks.sort_unstable();
-    let mut asks = asks
-        .into_iter()
-        .map(|(ns, node)| (SimTime::from_nanos(ns), RadioId(node)))
-        .peekable();
-
-    let payload: Arc<[u8]> = Arc::from([0; 20]);
-    let (mut owners, mut scratch, mut received) = (Vec::new(), Scratch::new(), 0);
-    while let Some(now) = [asks.peek().map(|ask| ask.0), medium.next_time()]
-        .into_iter()
-        .flatten()
-        .min()
-    {
-        medium.open(now, &poses, &mut owners);
-        for owner in &owners {
-            let inbox = medium.collect(RadioId(owner.0), &poses, &mut scratch);
-            received += inbox.len();
-        }
-        while let Some((_, radio)) = asks.next_if(|ask| ask.0 == now) {
-            medium.submit(now, Request::broadcast(radio, Arc::clone(&payload)));
-        }
-    }
+    let requests = drive::each_second(&phases_ns, Arc::from([0; 20]), SimTime::from_secs(seconds));
+    let received = drive::drive(medium, &drive::Still::at(places), requests);
     let sent = medium.totals().sent as f64;
     Ok(received as f64 / (sent * f64::from(n - 1)))
 }

@@ -71,7 +71,8 @@
 //! 3. [`radio`], [`channel`], [`antenna`], [`propagation`], [`error_model`]: the layers;
 //! 4. [`simple`]: the medium of the paper, and how it is made fast;
 //! 5. [`phy`] and [`mod@ieee802154`]: air time, medium access and interference;
-//! 6. [`ledger`] and [`counters`]: time, charge and losses.
+//! 6. [`ledger`] and [`counters`]: time, charge and losses;
+//! 7. [`mod@drive`]: a medium by itself, without an engine.
 
 mod aim;
 pub mod antenna;
@@ -80,6 +81,7 @@ pub mod bit_errors;
 pub mod cc2420;
 pub mod channel;
 pub mod counters;
+pub mod drive;
 pub mod error_model;
 pub mod fading;
 mod fast;

@@ -34,6 +34,16 @@ impl Default for LogDistance {
 }
 
 impl LogDistance {
+    /// What ns-3 takes unless told otherwise: exponent 3, and 46.6777 dB at 1 m, which is free space at
+    /// 5.15 GHz. For comparisons.
+    #[must_use]
+    pub fn ns3() -> Self {
+        Self {
+            reference_loss: Some(Decibels::from_db(46.6777)),
+            ..Self::default()
+        }
+    }
+
     fn reference_loss(&self, frequency: Frequency) -> Decibels {
         self.reference_loss.unwrap_or_else(|| {
             super::free_space::FreeSpace::loss_at(self.reference_distance.metres(), frequency)

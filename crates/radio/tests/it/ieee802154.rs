@@ -16,10 +16,7 @@ use std::sync::Arc;
 pub(crate) fn ns3_config(seed: u64) -> Ieee802154Config {
     Ieee802154Config {
         seed,
-        propagation: Arc::new(LogDistance {
-            reference_loss: Some(Decibels::from_db(46.6777)),
-            ..LogDistance::default()
-        }),
+        propagation: Arc::new(LogDistance::ns3()),
         ..Ieee802154Config::ns3()
     }
 }

@@ -3,13 +3,11 @@
 //! some are hidden from others.
 
 use crate::ieee802154::ns3_config;
-use crate::support::Still;
-
 use simbeeotic_kernel::rng::path_key;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_radio::{
-    Ieee802154Config, Ieee802154Medium, Medium, RadioId, RadioSpec, Request, Scratch, cc2420,
-};
+use simbeeotic_radio::{Ieee802154Config, Ieee802154Medium, Medium, RadioSpec, cc2420, drive};
+use simbeeotic_units::Position;
+use simbeeotic_units::glam::DVec3;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -28,7 +26,7 @@ fn rows(file: &str) -> Vec<Vec<String>> {
 
 /// Where nodes are, and when in each second they ask for a broadcast, ns.
 struct Topology {
-    places: Vec<[f64; 3]>,
+    places: Vec<Position>,
     phases_ns: Vec<u64>,
 }
 
@@ -39,7 +37,10 @@ impl Topology {
             .map(|row| row.iter().map(|cell| cell.parse().unwrap()).collect())
             .collect();
         Self {
-            places: numbers.iter().map(|row| [row[1], row[2], row[3]]).collect(),
+            places: numbers
+                .iter()
+                .map(|row| Position::from_si(DVec3::new(row[1], row[2], row[3])))
+                .collect(),
             phases_ns: numbers
                 .iter()
                 .map(|row| (row[4] * 1e9).round() as u64)
@@ -86,39 +87,14 @@ fn run(topology: &Topology, payload: usize, synchronous: bool, seconds: u64) -> 
         };
         medium.add(spec).unwrap();
     }
-    let mut order: Vec<(u64, u32)> = (0..)
-        .zip(&topology.phases_ns)
-        .map(|(i, &p)| (p, i))
-        .collect();
-    if synchronous {
-        order.iter_mut().for_each(|(phase_ns, _)| *phase_ns = 0);
-    }
-    order.sort_unstable();
-    let mut asks = (0..seconds)
-        .flat_map(|s| {
-            order
-                .iter()
-                .map(move |&(phase, node)| (s * 1_000_000_000 + phase, node))
-        })
-        .map(|(ns, node)| (SimTime::from_nanos(ns), RadioId(node)))
-        .peekable();
-
-    let poses = Still::at(topology.places.iter().copied());
-    let payload: Arc<[u8]> = Arc::from(vec![0; payload]);
-    let (mut owners, mut scratch, mut delivered) = (Vec::new(), Scratch::new(), 0);
-    while let Some(now) = [asks.peek().map(|ask| ask.0), medium.next_time()]
-        .into_iter()
-        .flatten()
-        .min()
-    {
-        medium.open(now, &poses, &mut owners);
-        for owner in &owners {
-            delivered += medium.collect(RadioId(owner.0), &poses, &mut scratch).len();
-        }
-        while let Some((_, radio)) = asks.next_if(|ask| ask.0 == now) {
-            medium.submit(now, Request::broadcast(radio, Arc::clone(&payload)));
-        }
-    }
+    let phases_ns = match synchronous {
+        true => vec![0; n],
+        false => topology.phases_ns.clone(),
+    };
+    let poses = drive::Still::at(topology.places.iter().copied());
+    let payload = Arc::from(vec![0; payload]);
+    let requests = drive::each_second(&phases_ns, payload, SimTime::from_secs(seconds));
+    let delivered = drive::drive(&mut medium, &poses, requests);
     let access = medium.access_statistics();
     assert_eq!(access.requests, seconds * n as u64);
     assert_eq!(access.failures + access.transmitted, access.requests);

@@ -1,5 +1,5 @@
 //! A topology: where the nodes are, and when in each second they speak. CSV, the columns named by its
-//! header in any order; lines that begin with `#` say how it was made.
+//! header in any order, others among them; lines that begin with `#` say how it was made.
 
 use simbeeotic_units::Position;
 use simbeeotic_units::glam::DVec3;
@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// One node.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
-    pub(super) number: u64,
+    /// Any text; no other node has it.
+    pub(super) name: String,
     pub(super) position: Position,
     /// When, in each second, it asks for its broadcast, ns.
     pub(super) phase_ns: u64,
@@ -21,7 +22,7 @@ const COLUMNS: [&str; 5] = ["node", "x_m", "y_m", "z_m", "phase_s"];
 /// Farther from the origin than this, in any direction, a node does not stand, m.
 const FAR_M: f64 = 100_000.0;
 
-/// Reads a topology; without `phases`, nobody asks for the column `phase_s`, and all speak at the full
+/// Reads a topology, its nodes in the order of the file; without `phases`, nobody asks for the column `phase_s`, and all speak at the full
 /// second.
 ///
 /// # Errors
@@ -59,12 +60,9 @@ fn parse(name: &str, text: &str, phases: bool) -> Result<Vec<Node>, String> {
         match columns.node(row) {
             Err(wrong) => faults.extend(wrong.into_iter().map(|fault| at(line, fault))),
             Ok(node) => {
-                if let Some(before) = seen.insert(node.number, line) {
-                    let number = node.number;
-                    faults.push(at(
-                        line,
-                        format!("node {number} is there already, in line {before}"),
-                    ));
+                if let Some(before) = seen.insert(node.name.clone(), line) {
+                    let fault = format!("node {} is there already, in line {before}", node.name);
+                    faults.push(at(line, fault));
                 }
                 nodes.push(node);
             }
@@ -95,6 +93,34 @@ fn join(mut faults: Vec<String>) -> String {
     faults.join("\n")
 }
 
+/// The cells of a row, without the blanks around them. A cell may stand in quotes, and then have commas in
+/// it, and quotes as two.
+fn cells(row: &str) -> Vec<String> {
+    let (mut cells, mut cell, mut quoted) = (Vec::new(), String::new(), false);
+    let mut letters = row.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' if quoted && letters.next_if_eq(&'"').is_some() => cell.push('"'),
+            '"' if quoted => quoted = false,
+            '"' if cell.trim().is_empty() => quoted = true,
+            ',' if !quoted => cells.push(std::mem::take(&mut cell)),
+            letter => cell.push(letter),
+        }
+    }
+    cells.push(cell);
+    cells
+        .into_iter()
+        .map(|cell| cell.trim().to_owned())
+        .collect()
+}
+
+/// Takes blank cells off the end of a row, as trailing commas make them, down to so many cells.
+fn trim(cells: &mut Vec<String>, least: usize) {
+    while cells.len() > least && cells.last().is_some_and(String::is_empty) {
+        cells.pop();
+    }
+}
+
 /// Where each column stands in a row.
 struct Columns {
     places: [Option<usize>; COLUMNS.len()],
@@ -104,18 +130,23 @@ struct Columns {
 impl Columns {
     fn of(header: &str, phases: bool) -> Result<Self, Vec<String>> {
         let (mut places, mut faults) = ([None; COLUMNS.len()], Vec::new());
-        let cells: Vec<&str> = header.split(',').map(str::trim).collect();
+        let mut cells = cells(header);
+        trim(&mut cells, 0);
         for (place, cell) in cells.iter().enumerate() {
-            match COLUMNS.iter().position(|column| column == cell) {
-                None => faults.push(format!(
-                    "no column is called '{cell}': the header is {}",
-                    COLUMNS.join(",")
-                )),
-                Some(column) if places[column].is_some() => {
-                    faults.push(format!("two columns are called {cell}"));
-                }
-                Some(column) => places[column] = Some(place),
+            // Columns of other names are for others.
+            let Some(column) = COLUMNS.iter().position(|column| column == cell) else {
+                continue;
+            };
+            match places[column] {
+                Some(_) => faults.push(format!("two columns are called {cell}")),
+                None => places[column] = Some(place),
             }
+        }
+        if places == [None; COLUMNS.len()] {
+            return Err(vec![format!(
+                "this is no header: a topology begins with the names of its columns, {}",
+                COLUMNS.join(",")
+            )]);
         }
         let needed = if phases { COLUMNS.len() } else { 4 };
         for column in 0..needed {
@@ -140,7 +171,8 @@ impl Columns {
     }
 
     fn node(&self, row: &str) -> Result<Node, Vec<String>> {
-        let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+        let mut cells = cells(row);
+        trim(&mut cells, self.cells);
         if cells.len() != self.cells {
             return Err(vec![format!(
                 "{} cells where the header has {}",
@@ -149,39 +181,36 @@ impl Columns {
             )]);
         }
         let mut faults = Vec::new();
-        let mut cell = |column: usize, allowed: &str, ok: fn(f64) -> bool| -> f64 {
-            let Some(place) = self.places[column] else {
+        let text = |column: usize| self.places[column].map(|place| cells[place].as_str());
+        let mut number = |column: usize, allowed: &str, ok: fn(f64) -> bool| -> f64 {
+            let Some(cell) = text(column) else {
                 return 0.0;
             };
-            match cells[place].parse::<f64>() {
+            match cell.parse::<f64>() {
                 Ok(number) if ok(number) => return number,
-                Ok(_) => faults.push(format!(
-                    "{} of {}: {allowed}",
-                    COLUMNS[column], cells[place]
-                )),
-                Err(_) => faults.push(format!(
-                    "{} of '{}' is not a number",
-                    COLUMNS[column], cells[place]
-                )),
+                Ok(_) => faults.push(format!("{} of {cell}: {allowed}", COLUMNS[column])),
+                Err(_) => faults.push(format!("{} of '{cell}' is not a number", COLUMNS[column])),
             }
             0.0
         };
-        let number = cell(0, "a whole number from 0 on", |x| {
-            x.fract() == 0.0 && (0.0..9e15).contains(&x)
-        });
         let [x, y, z] = [1, 2, 3].map(|column| {
-            cell(column, "from -100000 to 100000", |x| {
+            number(column, "from -100000 to 100000", |x| {
                 x.is_finite() && x.abs() <= FAR_M
             })
         });
-        let phase = cell(4, "from 0 to below 1", |x| (0.0..1.0).contains(&x));
+        let phase = number(4, "from 0 to 1", |x| (0.0..=1.0).contains(&x));
+        let name = text(0).unwrap_or_default().to_owned();
+        if name.is_empty() {
+            faults.push("a node without a name".to_owned());
+        }
         if !faults.is_empty() {
             return Err(faults);
         }
         Ok(Node {
-            number: number as u64,
+            name,
             position: Position::from_si(DVec3::new(x, y, z)),
-            phase_ns: ((phase * 1e9).round() as u64).min(999_999_999),
+            // 1 is the 0 of the next second.
+            phase_ns: (phase * 1e9).round() as u64 % 1_000_000_000,
         })
     }
 }
@@ -202,7 +231,7 @@ mod tests {
                    # half\r\n 0.999999999 ,10.0, 7 ,0,-1.5\r\n";
         let nodes = parse("t.csv", plain, true).expect("it is right");
         assert_eq!(parse("t.csv", odd, true), Ok(nodes.clone()));
-        assert_eq!(nodes[1].number, 7);
+        assert_eq!([&nodes[0].name, &nodes[1].name], ["0", "7"]);
         assert_eq!(nodes[1].position.si(), DVec3::new(-1.5, 0.0, 10.0));
         assert_eq!(
             [nodes[0].phase_ns, nodes[1].phase_ns],
@@ -211,19 +240,35 @@ mod tests {
     }
 
     #[test]
+    fn files_of_others_are_read_with_quotes_names_and_columns_of_theirs() {
+        let text = "\"\",\"node\",\"x_m\",\"y_m\",\"z_m\",\"phase_s\",note,\n\
+                    \"1\",\"bee, the \"\"old\"\"\",1,2,3,1.000,why not,\n2,b/left,4,5,6,0.5,,,,\n3, a ,7,8,9,0,\"x,y\"\n";
+        let nodes = parse("t.csv", text, true).expect("it is right");
+        let names: Vec<&str> = nodes.iter().map(|node| node.name.as_str()).collect();
+        assert_eq!(
+            names,
+            ["bee, the \"old\"", "b/left", "a"],
+            "in the file's order"
+        );
+        assert_eq!(nodes[2].position.si(), DVec3::new(7.0, 8.0, 9.0));
+        assert_eq!(nodes[0].phase_ns, 0, "of the next second");
+        assert_eq!(nodes[1].phase_ns, 500_000_000);
+    }
+
+    #[test]
     fn every_bad_line_is_told_at_once() {
-        let text = "# how\nnode,x_m,y_m,z_m,phase_s\n0,0,0,0,0\n0,1,1,1,0.5\n1,east,1,1,1.0\n2,1,1\n\
-                    3.5,nan,1,1,-0.1\n";
+        let text = "# how\nnode,x_m,y_m,z_m,phase_s\n0,0,0,0,0\n0,1,1,1,0.5\n1,east,1,1,1.01\n2,1,1\n\
+                    ,nan,1,1,-0.1\n";
         assert_eq!(
             faults(text),
             [
                 "error: t.csv:4: node 0 is there already, in line 3",
                 "error: t.csv:5: x_m of 'east' is not a number",
-                "error: t.csv:5: phase_s of 1.0: from 0 to below 1",
+                "error: t.csv:5: phase_s of 1.01: from 0 to 1",
                 "error: t.csv:6: 3 cells where the header has 5",
-                "error: t.csv:7: node of 3.5: a whole number from 0 on",
                 "error: t.csv:7: x_m of nan: from -100000 to 100000",
-                "error: t.csv:7: phase_s of -0.1: from 0 to below 1",
+                "error: t.csv:7: phase_s of -0.1: from 0 to 1",
+                "error: t.csv:7: a node without a name",
             ]
         );
         let many = format!("{}{}", "node,x_m,y_m,z_m,phase_s\n", "0\n".repeat(50));
@@ -231,13 +276,18 @@ mod tests {
     }
 
     #[test]
-    fn a_header_says_what_it_lacks_and_what_it_has_too_much() {
+    fn a_header_says_what_it_lacks_and_what_it_has_twice() {
         let told = faults("node,x_m,y_m,height,y_m\n0,0,0,0,0\n");
-        assert_eq!(told.len(), 4, "{told:?}");
-        assert!(told[0].contains("'height'"), "{told:?}");
-        assert!(told[1].contains("two columns are called y_m"), "{told:?}");
-        assert!(told[2].contains("z_m is missing"), "{told:?}");
-        assert!(told[3].contains("phase_s is missing"), "{told:?}");
+        assert_eq!(told.len(), 3, "{told:?}");
+        assert!(told[0].contains("two columns are called y_m"), "{told:?}");
+        assert!(told[1].contains("z_m is missing"), "{told:?}");
+        assert!(told[2].contains("phase_s is missing"), "{told:?}");
+        let told = faults("0,0,0,0,0\n1,1,1,1,0.5\n");
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(
+            told[0].starts_with("error: t.csv:1: this is no header"),
+            "{told:?}"
+        );
     }
 
     #[test]
