@@ -116,7 +116,7 @@ pub use medium::{Command, Medium, Poses};
 pub use phy::{Access, Acks, BitErrors, Cca, CcaMode, Csma, LinkQuality, OqpskDsss, Phy, Spacing};
 pub use propagation::{
     Composite, End, FrameKeys, FreeSpace, Ground, Link, LinkTable, Links, LogDistance, MissingLink,
-    Polarisation, Propagation, Role, TableFault, TwoRay, TwoRayExact, TwoRayForm,
+    Polarisation, Propagation, Remark, Role, TableFault, TwoRay, TwoRayExact, TwoRayForm,
 };
 pub use radio::{Currents, Framing, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;

@@ -1,6 +1,8 @@
 //! Measured gains of links from a file.
 
-use simbeeotic_model::radio::{Link, LinkTable, Links, MissingLink, Propagation};
+use simbeeotic_model::radio::{
+    Link, LinkTable, Links, MissingLink, Propagation, Remark, TableFault,
+};
 use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{BuildError, FromParams, Site, choice, params, propagation};
 
@@ -16,7 +18,11 @@ const SHOWN: usize = 20;
 /// distance.
 #[propagation("link-table")]
 #[derive(Debug)]
-pub struct LinkTablePropagation(LinkTable);
+pub struct LinkTablePropagation {
+    table: LinkTable,
+    /// The file's name, for messages.
+    file: String,
+}
 
 /// What becomes of a link that is not in the file.
 #[choice]
@@ -70,24 +76,54 @@ impl FromParams for LinkTablePropagation {
             Missing::FreeSpace => MissingLink::FreeSpace,
         };
         let table = LinkTable::read(&text, params.symmetric, missing).map_err(|faults| {
-            let more = faults.len().saturating_sub(SHOWN);
-            let shown = faults.iter().take(SHOWN);
-            let mut lines: Vec<String> = shown.map(|fault| format!("{name}:{fault}")).collect();
-            if more > 0 {
-                lines.push(format!("and {more} more"));
-            }
-            BuildError::parameter("file", format!("cannot be used: {}", lines.join("; ")))
+            let lines = listed(&name.to_string(), &faults);
+            BuildError::parameter("file", format!("cannot be used: {lines}"))
         })?;
-        Ok(Self(table))
+        let file = name.to_string();
+        Ok(Self { table, file })
     }
+}
+
+/// Faults of a file one after the other, each with its place.
+fn listed(file: &str, faults: &[TableFault]) -> String {
+    let more = faults.len().saturating_sub(SHOWN);
+    let shown = faults.iter().take(SHOWN);
+    let mut lines: Vec<String> = shown.map(|fault| format!("{file}:{fault}")).collect();
+    if more > 0 {
+        lines.push(format!("and {more} more"));
+    }
+    lines.join("; ")
 }
 
 impl Propagation for LinkTablePropagation {
     fn loss(&self, link: &Link) -> Decibels {
-        self.0.loss(link)
+        self.table.loss(link)
     }
 
     fn gains(&self, links: &Links<'_>, gains: &mut [f32]) {
-        self.0.gains(links, gains);
+        self.table.gains(links, gains);
+    }
+
+    fn remarks(&self, radios: &mut dyn Iterator<Item = String>) -> Vec<Remark> {
+        let (strangers, connects) = self.table.compare(radios);
+        let mut remarks = Vec::new();
+        if !strangers.is_empty() {
+            remarks.push(Remark {
+                key: "file",
+                fatal: false,
+                message: format!(
+                    "has names that no radio has: {}",
+                    listed(&self.file, &strangers)
+                ),
+            });
+        }
+        if !connects {
+            remarks.push(Remark {
+                key: "file",
+                fatal: true,
+                message: format!("none of the links in {} is between two radios", self.file),
+            });
+        }
+        remarks
     }
 }

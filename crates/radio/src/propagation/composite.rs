@@ -1,6 +1,6 @@
 //! Path loss with shadowing and fading on it.
 
-use super::{Link, Links, Propagation};
+use super::{Link, Links, Propagation, Remark};
 use crate::fading::{self, Fading};
 use crate::shadowing::Shadowing;
 use simbeeotic_units::Decibels;
@@ -30,6 +30,10 @@ impl Propagation for Composite {
             loss -= Decibels::from_ratio(fading::gain(fading.as_ref(), link));
         }
         loss
+    }
+
+    fn remarks(&self, radios: &mut dyn Iterator<Item = String>) -> Vec<Remark> {
+        self.path.remarks(radios)
     }
 
     fn gains(&self, links: &Links<'_>, gains: &mut [f32]) {

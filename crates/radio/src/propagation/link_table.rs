@@ -26,6 +26,8 @@ use std::fmt;
 #[derive(Clone, PartialEq)]
 pub struct LinkTable {
     names: Vec<String>,
+    /// Line and column where each name stands first.
+    places: Vec<(usize, usize)>,
     /// Keys of radios with the index of their name, by key.
     ends: Vec<(u64, u32)>,
     /// Sender, receiver, and where the series begins and ends, by sender and receiver.
@@ -68,6 +70,9 @@ impl fmt::Display for TableFault {
     }
 }
 
+/// For so many names that no radio has, the nearest is looked for.
+const GUESSES_MAX: usize = 20;
+
 /// Times later than this are not read, seconds: 31 years.
 const TIME_S_MAX: f64 = 1e9;
 
@@ -95,6 +100,7 @@ impl LinkTable {
         let mut reader = Reader {
             faults: Vec::new(),
             names: BTreeMap::new(),
+            places: Vec::new(),
             rows: BTreeMap::new(),
             symmetric,
         };
@@ -129,6 +135,7 @@ impl LinkTable {
         }
         Self {
             names,
+            places: reader.places,
             ends: ends.into_iter().collect(),
             links,
             series,
@@ -139,6 +146,38 @@ impl LinkTable {
     /// The names in the table, in the order in which they came.
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The table beside the radios of a scenario, given by their paths (`bee-0/radio`): the names that no
+    /// radio has, each at its first place, and whether there is a link between two radios that exist.
+    pub fn compare(&self, radios: impl Iterator<Item = String>) -> (Vec<TableFault>, bool) {
+        let radios: BTreeSet<String> = radios.collect();
+        let here =
+            |name: &String| radios.contains(name) || radios.contains(&format!("{name}/radio"));
+        let known: Vec<bool> = self.names.iter().map(here).collect();
+        let connects = self
+            .links
+            .iter()
+            .any(|([tx, rx], _)| known[*tx as usize] && known[*rx as usize]);
+        let mut strangers = Vec::new();
+        for ((name, known), (line, column)) in self.names.iter().zip(known).zip(&self.places) {
+            if known {
+                continue;
+            }
+            let paths = radios.iter().map(String::as_str);
+            let short = paths.map(|path| path.strip_suffix("/radio").unwrap_or(path));
+            // Guesses cost a look at each radio.
+            let guess = (strangers.len() < GUESSES_MAX)
+                .then(|| did_you_mean(name, short))
+                .flatten();
+            let guess = guess.map(|guess| format!("; did you mean `{guess}`?"));
+            strangers.push(TableFault {
+                line: *line,
+                column: *column,
+                message: format!("no radio is called `{name}`{}", guess.unwrap_or_default()),
+            });
+        }
+        (strangers, connects)
     }
 
     fn end(&self, key: u64) -> Option<u32> {
@@ -212,6 +251,7 @@ const COLUMNS: [(&str, Column); 5] = [
 struct Reader<'t> {
     faults: Vec<TableFault>,
     names: BTreeMap<&'t str, u32>,
+    places: Vec<(usize, usize)>,
     /// Losses by sender, receiver, time.
     rows: BTreeMap<(u32, u32, SimTime), f64>,
     symmetric: bool,
@@ -356,7 +396,11 @@ impl<'t> Reader<'t> {
             self.fault(line, column, "the name is missing");
         }
         let next = self.names.len() as u32;
-        *self.names.entry(short).or_insert(next)
+        let index = *self.names.entry(short).or_insert(next);
+        if index == next {
+            self.places.push((line, column));
+        }
+        index
     }
 
     fn number(&mut self, line: usize, column: usize, field: &str) -> Option<f64> {
@@ -443,6 +487,39 @@ mod tests {
         assert_eq!(loss("bee-2/radio", "bee-0/radio", 0), f64::INFINITY);
         assert_eq!(loss("bee-0/radio", "bee-2/up", 0), f64::INFINITY);
         assert_eq!(table.names(), ["bee-0", "bee-1", "bee-2/up"]);
+    }
+
+    #[test]
+    fn names_that_no_radio_has_are_told_with_their_place_and_the_nearest() {
+        let radios = |names: &[&str]| names.iter().map(|s| (*s).to_owned()).collect::<Vec<_>>();
+        let told = |names: &[&str]| {
+            let (strangers, connects) = table(TEXT).compare(radios(names).into_iter());
+            let lines: Vec<String> = strangers.iter().map(ToString::to_string).collect();
+            (lines, connects)
+        };
+        let all = ["bee-0/radio", "bee-1/radio", "bee-2/up", "bee-3/radio"];
+        assert_eq!(told(&all), (vec![], true));
+        let (lines, connects) = told(&["bee-0/radio", "bee-1/radio", "bee-2/radio"]);
+        assert_eq!(lines.len(), 1);
+        assert!(
+            lines[0].starts_with("7:1: no radio is called `bee-2/up`"),
+            "{lines:?}"
+        );
+        assert!(connects);
+        let (lines, connects) = told(&["Bee_0/radio", "other/radio"]);
+        assert_eq!(lines.len(), 3);
+        assert_eq!(
+            lines[0],
+            "4:1: no radio is called `bee-0`; did you mean `Bee_0`?"
+        );
+        assert!(
+            lines[1].starts_with("4:7: no radio is called `bee-1`"),
+            "{lines:?}"
+        );
+        assert!(!connects);
+        // Both ends are there, and no link between them.
+        let (lines, connects) = told(&["bee-1/radio", "bee-2/up"]);
+        assert_eq!((lines.len(), connects), (1, false));
     }
 
     #[test]

@@ -160,6 +160,23 @@ pub trait Propagation: Send + Sync + fmt::Debug {
             *gain = (-self.loss(&links.link(j))).ratio() as f32;
         }
     }
+
+    /// What is odd beside the radios that there are, told before a run: names in a file that no radio has.
+    /// `radios` are their paths, `bee-0/radio`; they cost something only where they are asked for.
+    fn remarks(&self, _radios: &mut dyn Iterator<Item = String>) -> Vec<Remark> {
+        Vec::new()
+    }
+}
+
+/// What is odd about a model of the path beside the radios of a scenario.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// The parameter it is about.
+    pub key: &'static str,
+    /// Whether the scenario must not run.
+    pub fatal: bool,
+    /// What is odd, and what was probably meant.
+    pub message: String,
 }
 
 /// No more than this is ever lost by a model of the path, in decibels: a null is deep, and not infinite.

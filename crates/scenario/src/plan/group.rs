@@ -341,6 +341,23 @@ pub(crate) fn models(groups: &[Group], seed: u64) -> Vec<ModelPlan> {
     all
 }
 
+/// The path of every radio: that of its model and its own name.
+pub(super) fn radio_paths(groups: &[Group]) -> Vec<String> {
+    fn add(groups: &[Group], parent: &str, all: &mut Vec<String>) {
+        for group in groups {
+            for index in 0..group.count {
+                let path = format!("{parent}{}/", group.name_of(index));
+                let radios = group.gear.radios.iter();
+                all.extend(radios.map(|radio| format!("{path}{}", radio.name)));
+                add(&group.nested, &path, all);
+            }
+        }
+    }
+    let mut all = Vec::new();
+    add(groups, "", &mut all);
+    all
+}
+
 fn add(groups: &[Group], seed: u64, parent: Option<usize>, all: &mut Vec<ModelPlan>) {
     for group in groups {
         for index in 0..group.count {

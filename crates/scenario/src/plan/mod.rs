@@ -37,7 +37,7 @@ use crate::variables::Variables;
 use section::Section;
 use simbeeotic_model::config::{Fault, Node, SourceId, Sources, Span};
 use simbeeotic_model::physics::Config;
-use simbeeotic_model::registry::{Part, find};
+use simbeeotic_model::registry::{Part, Site, find};
 use simbeeotic_world::{Spawn, World};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -141,8 +141,21 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         }
     };
     // A section with a fault in it is there, too.
-    let has_channel = root.as_table().is_some_and(|t| t.get("channel").is_some());
+    let has_channel = section_node(root, "channel").is_some();
     group::check_all(&models, root, has_channel, cx);
+    if cx.faults.iter().any(Fault::is_error) {
+        return None;
+    }
+    if let (Some(channel), Some(node)) = (&channel, section_node(root, "channel")) {
+        let mut radios = std::iter::once_with(|| group::radio_paths(&models)).flatten();
+        // Names do not hang on chance.
+        let site = Site {
+            seed: 0,
+            folder: &cx.folder,
+        };
+        let remarks = channel.remarks(node.span, &site, &mut radios);
+        cx.faults.extend(remarks);
+    }
     if cx.faults.iter().any(Fault::is_error) {
         return None;
     }
@@ -158,6 +171,11 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
         components,
         folder: cx.folder.clone(),
     })
+}
+
+/// The node of a section, if it is there.
+fn section_node<'n>(root: &'n Node, key: &str) -> Option<&'n Node> {
+    root.as_table().and_then(|table| table.get(key))
 }
 
 /// The part that the key `use` of a section names.

@@ -4,7 +4,7 @@ use super::section::Section;
 use super::{Choice, Context, named, part};
 use serde::Deserialize;
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
-use simbeeotic_model::radio::{Composite, FreeSpace, Medium, Propagation};
+use simbeeotic_model::radio::{Composite, FreeSpace, Medium, Propagation, Remark};
 use simbeeotic_model::registry::{Kind, Make, Site, find};
 use simbeeotic_model::{Air, MadeAir, NoiseFloor, ShadowingParams};
 use simbeeotic_units::{Decibels, Length, PowerLevel};
@@ -59,6 +59,31 @@ impl Channel {
                 aside: Vec::new(),
             }),
         }
+    }
+
+    /// What the propagation finds odd beside the radios whose paths these are.
+    pub(super) fn remarks(
+        &self,
+        at: Span,
+        site: &Site<'_>,
+        radios: &mut dyn Iterator<Item = String>,
+    ) -> Vec<Fault> {
+        let Ok(propagation) = self.propagation(site) else {
+            return Vec::new();
+        };
+        let params = self.propagation.as_ref().and_then(|c| c.params.as_table());
+        let fault = |remark: Remark| {
+            let span = params
+                .and_then(|table| table.get(remark.key))
+                .map_or(at, |node| node.span);
+            let message = format!("`{}` {}", remark.key, remark.message);
+            match remark.fatal {
+                true => Fault::error(span, message),
+                false => Fault::warning(span, message),
+            }
+        };
+        let remarks = propagation.remarks(radios).into_iter();
+        remarks.map(fault).collect()
     }
 
     fn propagation(&self, site: &Site<'_>) -> Result<Arc<dyn Propagation>, Vec<Fault>> {

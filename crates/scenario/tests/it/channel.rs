@@ -103,7 +103,7 @@ fn what_is_wrong_is_told_at_its_place_with_what_was_meant() {
         ("medium = \"iee802154\"", 10, "did you mean `ieee802154`"),
         (
             "medium = { use = \"bernoulli\", delivery = 2 }",
-            41,
+            42,
             "delivery",
         ),
         (
@@ -160,6 +160,40 @@ fn what_a_medium_leaves_aside_is_warned_of_at_its_key_and_runs() {
         assert_eq!(found, keys, "{medium}, {lines}");
         loaded.setup().expect("a set-up");
     }
+}
+
+#[test]
+fn names_of_a_link_table_that_no_radio_has_are_told_before_the_run() {
+    let folder = std::env::temp_dir().join(format!("simbeeotic-links-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("links.csv");
+    let line = format!("use = \"link-table\"\nfile = '{}'", file.display());
+    let text = channel(&line).replace("\"inert-bee\"", "\"inert-bee\"\ncount = 3\nname = \"bee\"");
+    let with = |rows: &str| {
+        std::fs::write(&file, format!("tx, rx, loss_db\n{rows}\n")).expect("a file");
+        load_text("swarm.toml", &text, &Request::default())
+    };
+    let fine = with("bee-0, bee-1, 50\nbee-2/radio, bee-0, 60").expect("all are there");
+    assert!(fine.faults().is_empty());
+    let odd = with("bee-0, bee-1, 50\nbee-0, bee-9, 60").expect("a warning alone");
+    let [warning] = odd.faults() else {
+        panic!("{:?}", odd.faults());
+    };
+    assert!(!warning.is_error());
+    let place = "links.csv:3:8: no radio is called `bee-9`; did you mean `bee-0`?";
+    assert!(warning.message.contains(place), "{warning}");
+    let span = warning.span.expect("a place");
+    assert!(text[span.start..span.end].contains("links.csv"));
+    let Err(rejected) = with("n-0, bee-1, 50") else {
+        panic!("no link of it is between two radios");
+    };
+    let shown = shown(&rejected);
+    assert!(
+        shown.contains("links.csv:2:1: no radio is called `n-0`"),
+        "{shown}"
+    );
+    assert!(shown.contains("is between two radios"), "{shown}");
+    std::fs::remove_dir_all(&folder).expect("it goes");
 }
 
 #[test]
