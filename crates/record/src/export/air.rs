@@ -92,8 +92,9 @@ impl AirTable {
     fn missing(self) -> &'static str {
         match self {
             Self::Packets => {
-                "the recording has no packets: of more than 256 radios they are recorded only if the \
-                 recorder says whose, as in `packets = [\"bee-1*\"]`, or `[\"*\"]` for all"
+                "the recording has no packets: nobody sent, or the recorder had `packets = []`, or there were \
+                 more than 256 radios, of which it must say whose, as in `packets = [\"bee-1*\"]`, or `[\"*\"]` \
+                 for all"
             }
             Self::Links => {
                 "the recording has no links: they are recorded if the packets of 2 to 256 radios are, as \

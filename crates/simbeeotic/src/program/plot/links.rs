@@ -16,6 +16,9 @@ const LINES_MAX: usize = 600;
 const LINES_EACH: usize = 6;
 /// More names hide what is below.
 const NAMES_MAX: usize = 60;
+/// In less, names and legend find no room, pixels.
+const WIDTH_MIN: u32 = 600;
+const HEIGHT_MIN: u32 = 400;
 /// The width of the column at the right.
 const LEGEND: f64 = 196.0;
 const NODE: Ink = Ink::new([0x26, 0x2b, 0x33]);
@@ -69,6 +72,16 @@ pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Fai
             "--least {least}: a delivery ratio lies between 0 and 1"
         )));
     }
+    if options.per_radio == Some(0) {
+        return Err(Failure::input("--per-radio 0: it must be one or more"));
+    }
+    let [width, height] = options.plot.size();
+    if width < WIDTH_MIN || height < HEIGHT_MIN {
+        return Err(Failure::input(format!(
+            "--width {width} --height {height}: a map of links needs at least {WIDTH_MIN} x {HEIGHT_MIN} \
+             pixels"
+        )));
+    }
     let periods = source.links()?;
     let (radios, pairs) = pairs(&periods);
     let places = places(source, options.time.as_deref(), &radios)?;
@@ -83,8 +96,12 @@ pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Fai
 
     let what = match best {
         Some(best) => format!(
-            "{} radios, the {best} best links of each ({} of {})",
+            "{} radios, {} of each ({} of {})",
             radios.len(),
+            match best {
+                1 => "the best link".to_owned(),
+                best => format!("the {best} best links"),
+            },
             pairs.len(),
             grouped(&all.to_string())
         ),
@@ -98,7 +115,6 @@ pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Fai
     let first = periods.first().map_or(0, |l| {
         l.time_ns.saturating_sub((l.period_s * 1e9).round() as u64)
     });
-    let [width, height] = options.plot.size();
     let title = options.plot.title("Links");
     let mut sheet = Sheet::titled(width, height, title, &source.caption(first, last, &what));
     draw(&mut sheet, &radios, &places, pairs, least);
@@ -403,29 +419,17 @@ fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
     wide * (a[3].min(b[3]) - a[1].max(b[1])).max(0.0)
 }
 
-/// A length of 1, 2 or 5 times a power of ten, in the lower right corner.
+/// A length of 1, 2 or 5 times a power of ten, below the map at the right.
 fn scale_bar(sheet: &mut Sheet, panel: &Panel) {
     let [left, _, right, bottom] = panel.edges;
     let metre = (right - left) / (panel.x.high - panel.x.low);
     let length_m = nice(0.09 * (right - left) / metre);
-    let (end, y) = (right - 16.0, bottom - 16.0);
+    let (end, y) = (right, bottom + 46.0);
     let start = end - length_m * metre;
-    let room = [start - 12.0, y - 30.0];
-    sheet.rectangle(
-        room,
-        [right - 2.0, bottom - 2.0],
-        super::sheet::WHITE.thin(0.85),
-    );
     let bar = vec![[start, y - 5.0], [start, y], [end, y], [end, y - 5.0]];
     sheet.line(bar, TEXT, 1.6);
     let text = format!("{} m", number(length_m, length_m));
-    sheet.words(
-        [0.5 * (start + end), y - 9.0],
-        text,
-        SMALL,
-        Anchor::Middle,
-        TEXT,
-    );
+    sheet.words([start - 8.0, y], text, SMALL, Anchor::End, TEXT);
 }
 
 fn legend(

@@ -16,6 +16,8 @@ const OUT_OF_RANGE: &str = "out-of-range";
 
 /// Some periods, one after the other.
 struct Bar {
+    /// 0: an instant.
+    length_s: f64,
     end_s: f64,
     sent: u64,
     received: u64,
@@ -75,14 +77,11 @@ fn draw(sheet: &mut Sheet, bars: &[Bar], period_s: f64, reasons: &[(String, u64)
     let right = width - 52.0 - legend.max(60.0);
     let top = HEAD + 12.0;
     let split = top + 0.68 * (bottom - top);
-    let ends = |bar: Option<&Bar>| bar.map_or(0.0, |bar| bar.end_s);
-    let half = 0.5 * period_s;
-    let x = Axis::exact(
-        "time, s",
-        ends(bars.first()) - half,
-        ends(bars.last()) + half,
-        10.0,
-    );
+    // A bar is of the time before its end; that of an instant is narrow.
+    let start = |bar: &Bar| bar.end_s - bar.length_s.max(0.1 * period_s);
+    let low = bars.first().map_or(0.0, start);
+    let high = bars.last().map_or(period_s, |bar| bar.end_s);
+    let x = Axis::exact("time, s", low, high, 10.0);
     let most = |part: fn(&Bar) -> u64| bars.iter().map(part).max().unwrap_or(0).max(1) as f64;
     let every = number(period_s, period_s / 1000.0);
     let every = every.trim_end_matches('0').trim_end_matches('.').to_owned();
@@ -107,7 +106,7 @@ fn draw(sheet: &mut Sheet, bars: &[Bar], period_s: f64, reasons: &[(String, u64)
     lower.draw(sheet, true);
     let gap = 0.05 * period_s;
     for bar in bars {
-        let (from, to) = (bar.end_s - half + gap, bar.end_s + half - gap);
+        let (from, to) = (start(bar) + gap, bar.end_s - gap);
         let mut below = 0;
         for (at, lost) in bar.lost.iter().enumerate().filter(|(_, lost)| **lost > 0) {
             let low = upper.place(from, below as f64);
@@ -194,6 +193,7 @@ fn bars(periods: &[Traffic], reasons: &[(String, u64)]) -> (Vec<Bar>, f64) {
     let bars = groups.map(|group| {
         let total = sum(group);
         Bar {
+            length_s: group.iter().map(|t| t.period_s).sum(),
             end_s: group.last().map_or(0.0, |t| t.time_ns as f64 * 1e-9),
             sent: total.sent,
             received: total.received,
@@ -231,6 +231,8 @@ mod tests {
         let (bars, period_s) = bars(&periods, &reasons);
         assert_eq!((bars.len(), period_s), (168, 6.0));
         assert_eq!((bars[0].sent, bars[0].lost[0]), (7, 1), "the start alone");
+        assert_eq!([bars[0].length_s, bars[1].length_s], [0.0, 6.0]);
+        assert_eq!(bars[167].length_s, 4.0, "the rest");
         assert_eq!(
             (bars[1].end_s, bars[1].sent, bars[1].lost[0]),
             (6.0, 12, 18)

@@ -5,8 +5,7 @@
 //! letters are part of the program ([`font`]), so that a picture is the same everywhere. [`axes`] and
 //! [`palette`] are for all kinds.
 //!
-//! There is no plotting library below it: kuva has 95,000 lines, and neither it nor plotters was tried; a
-//! map of links would have to be drawn line by line with either.
+//! Why there is no plotting library below it: `docs/adr/0014-plots-without-a-library.md`.
 
 mod axes;
 mod delivery;
