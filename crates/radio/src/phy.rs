@@ -28,6 +28,12 @@ pub trait BitErrors: Send + Sync + fmt::Debug {
     fn success(&self, sinr: f64, bits: f64) -> f64 {
         math::exp(bits * math::ln_1p(-self.bit_error(sinr)))
     }
+
+    /// What it is, numbers included: radios whose keys and data rates are equal understand each other.
+    /// As given, what `Debug` writes.
+    fn key(&self) -> String {
+        format!("{self:?}")
+    }
 }
 
 /// IEEE 802.15.4 at 2.4 GHz: offset QPSK, each 4 bits spread to one of 16 sequences of 32 chips.
@@ -64,7 +70,12 @@ pub struct Phy {
     pub sensitivity: Option<PowerLevel>,
     /// The least ratio of signal to noise plus interference at which a frame is taken up.
     pub lock: Decibels,
-    /// Which bits survive. Radios that shall understand each other share one model.
+    /// By how much more than noise of its power a frame of the receiver's own modulation disturbs, 0 dB
+    /// to 60 dB: 0 dB where interference is like noise. LoRa frames are heard far below the
+    /// noise, but not below others of their spreading factor.
+    pub co_channel: Decibels,
+    /// Which bits survive. Radios understand each other if this has the same [key](BitErrors::key), and
+    /// their data rates are equal.
     pub bits: Arc<dyn BitErrors>,
     /// What its packets' link quality tells.
     pub quality: LinkQuality,
@@ -234,6 +245,7 @@ impl Phy {
             noise: PowerLevel::from_dbm(-101.0),
             sensitivity: None,
             lock: Decibels::from_db(-5.0),
+            co_channel: Decibels::ZERO,
             bits: Arc::clone(&BITS),
             quality: LinkQuality::Correlation,
             header_bytes: 6,
@@ -292,6 +304,13 @@ impl Phy {
             (-30.0..=30.0).contains(&lock.db()),
             &lock,
             "from -30 dB to 30 dB",
+        )?;
+        let more = self.co_channel;
+        number(
+            "harm of frames of one's own kind",
+            (0.0..=60.0).contains(&more.db()),
+            &more,
+            "from 0 dB to 60 dB",
         )?;
         let mut times = vec![
             ("time of clear channel assessment", self.cca.time),

@@ -95,11 +95,13 @@ impl Ieee802154Medium {
             sensitivity_mw: sensitivity_mw as f32,
             lock: spec.phy.lock.ratio() as f32,
             modulation: modulation as u32,
+            co_channel: spec.phy.co_channel.ratio() as f32,
             salt: draw_u64(self.luck, spec.key, u64::MAX) as u32,
         };
         band.air.join(row, receiver);
         let radio = &mut self.radios[id.index()];
         (radio.band, radio.row) = (at as u32, row as u32);
+        radio.modulation = modulation as u32;
         radio.ear = Ear::Asleep;
         radio.presence.begin(band.started);
     }

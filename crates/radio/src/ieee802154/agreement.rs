@@ -80,6 +80,7 @@ fn play(mut air: Box<dyn Air>, deeds: &[Deed]) -> Played {
             sensitivity_mw: if row == 1 { 1e-10 } else { 0.0 },
             lock: 0.316_227_77,
             modulation: u32::from(row == 4),
+            co_channel: if row == 3 { 4.0 } else { 1.0 },
             salt: salt(row),
         };
         air.join(row, receiver);

@@ -17,6 +17,8 @@ pub(super) struct Receiver {
     pub(super) lock: f32,
     /// The modulation it understands: an index.
     pub(super) modulation: u32,
+    /// How much more than noise frames of its own modulation disturb, linear.
+    pub(super) co_channel: f32,
     /// What the receiver's luck hangs on.
     pub(super) salt: u32,
 }
@@ -30,7 +32,19 @@ pub(super) struct Modulation {
 
 impl Modulation {
     pub(super) fn is(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.errors, &other.errors) && self.ns_per_bit == other.ns_per_bit
+        let same = || self.errors.key() == other.errors.key();
+        self.ns_per_bit == other.ns_per_bit && (Arc::ptr_eq(&self.errors, &other.errors) || same())
+    }
+}
+
+impl Receiver {
+    /// By how much the power of a frame counts as interference.
+    #[inline(always)]
+    pub(super) fn weight(&self, modulation: u32) -> f32 {
+        match self.modulation == modulation {
+            true => self.co_channel,
+            false => 1.0,
+        }
     }
 }
 

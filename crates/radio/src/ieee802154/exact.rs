@@ -35,8 +35,8 @@ struct Lock {
     power_mw: f64,
     /// End of the last interval.
     closed_ns: u64,
-    /// Length, ns, and interference, milliwatts.
-    intervals: Vec<(u64, f64)>,
+    /// Length, ns, and interference, milliwatts: as it is, and as much noise as does its harm.
+    intervals: Vec<(u64, f64, f64)>,
 }
 
 impl ExactAir {
@@ -51,11 +51,17 @@ impl ExactAir {
         }
     }
 
-    /// The power of all frames but one at a row.
-    fn others_mw(&self, row: usize, but: u32) -> f64 {
+    /// The power of all frames but one at a row, and the power of noise that would do as much harm.
+    fn others_mw(&self, row: usize, but: u32) -> (f64, f64) {
+        let receiver = &self.rows[row].receiver;
         let all = self.frames.iter().chain(&self.ended);
-        let others = all.filter(|frame| frame.id != but);
-        others.map(|frame| f64::from(frame.powers_mw[row])).sum()
+        let (mut power_mw, mut harm_mw) = (0.0, 0.0);
+        for frame in all.filter(|frame| frame.id != but) {
+            let one_mw = f64::from(frame.powers_mw[row]);
+            power_mw += one_mw;
+            harm_mw += one_mw * f64::from(receiver.weight(frame.modulation));
+        }
+        (power_mw, harm_mw)
     }
 
     /// Ends the present interval of a row's frame.
@@ -63,10 +69,10 @@ impl ExactAir {
         let Some(id) = self.rows[row].lock.as_ref().map(|lock| lock.id) else {
             return;
         };
-        let interference_mw = self.others_mw(row, id);
+        let (power_mw, harm_mw) = self.others_mw(row, id);
         if let Some(lock) = &mut self.rows[row].lock {
             let ns = now_ns - lock.closed_ns;
-            lock.intervals.push((ns, interference_mw));
+            lock.intervals.push((ns, power_mw, harm_mw));
             lock.closed_ns = now_ns;
         }
     }
@@ -74,7 +80,7 @@ impl ExactAir {
     /// A frame begins: whether a row takes it up.
     fn meet(&mut self, row: usize, frame: &OnAir) {
         let power_mw = f64::from(frame.powers_mw[row]);
-        let others_mw = self.others_mw(row, 0);
+        let (_, others_mw) = self.others_mw(row, 0);
         let Row {
             receiver,
             listening,
@@ -114,8 +120,8 @@ impl ExactAir {
         let modulation = &self.modulations[receiver.modulation as usize];
         let noise_mw = f64::from(receiver.noise_mw);
         let chance = |interfered: bool| -> f64 {
-            let parts = lock.intervals.iter().map(|&(ns, interference_mw)| {
-                let others_mw = if interfered { interference_mw } else { 0.0 };
+            let parts = lock.intervals.iter().map(|&(ns, _, harm_mw)| {
+                let others_mw = if interfered { harm_mw } else { 0.0 };
                 let bits = bits(ns as f64, modulation.ns_per_bit, self.quirks);
                 let sinr = lock.power_mw / (noise_mw + others_mw);
                 modulation.errors.success(sinr, bits)
@@ -128,7 +134,7 @@ impl ExactAir {
             tally.noise += u64::from(luck >= success && luck >= chance(false));
         }
         let length_ns: u64 = lock.intervals.iter().map(|i| i.0).sum();
-        let energy = lock.intervals.iter().map(|&(ns, mw)| ns as f64 * mw);
+        let energy = lock.intervals.iter().map(|&(ns, mw, _)| ns as f64 * mw);
         let mean_mw = energy.sum::<f64>() / (length_ns.max(1) as f64);
         (luck < success).then(|| Reception {
             row: row as u32,

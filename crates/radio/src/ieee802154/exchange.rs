@@ -2,7 +2,7 @@
 
 use super::act::space;
 use super::agenda::Kind;
-use super::air::{Modulation, OnAir, Reception};
+use super::air::{OnAir, Reception};
 use super::mac::{AckTiming, Ear, Flight, Phase, Sent, airtime_ns};
 use super::medium::Ieee802154Medium;
 use crate::counters::Loss;
@@ -101,14 +101,10 @@ impl Ieee802154Medium {
         let rows = 0..powers_mw.len();
         band.members
             .powers(&source, rows, &space, poses, counted, &mut powers_mw);
-        let errors = &spec.phy.bits;
-        let ns_per_bit = 1e9 / spec.data_rate.get();
-        let mine = |m: &Modulation| Arc::ptr_eq(&m.errors, errors) && m.ns_per_bit == ns_per_bit;
-        let modulation = self.modulations.iter().position(mine).unwrap_or(0) as u32;
         let frame = OnAir {
             id: self.next_id,
             key,
-            modulation,
+            modulation: self.radios[id as usize].modulation,
             start_ns: now_ns,
             counted,
             source,
@@ -221,10 +217,17 @@ impl Ieee802154Medium {
             }
             return;
         };
+        // Of several radios of one owner, one answers: that of the least key, whatever their order.
+        let radios = &self.bands[band].members.radios;
+        let ids = receptions.iter().filter_map(|r| radios[r.row as usize]);
+        let own = ids.filter(|&id| self.specs[id as usize].owner == destination);
+        let able = own.filter(|&id| self.radios[id as usize].timing.acks.is_some());
+        let answers = able.min_by_key(|&id| self.specs[id as usize].key);
         for reception in receptions {
             let Some(id) = self.bands[band].members.radios[reception.row as usize] else {
                 continue;
             };
+            let acks = acks.filter(|_| answers == Some(id));
             if self.address(id, now_ns, destination, [key, sender, sequence], acks) {
                 self.mail.note(id, reception);
             }

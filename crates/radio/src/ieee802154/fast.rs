@@ -55,6 +55,9 @@ pub(super) struct FastAir {
     /// 104 days, and which costs less to subtract and round than integers do.
     since: Vec<f64>,
     totals_mw: Vec<f64>,
+    /// Where receivers weigh interference: the power of noise that would do as much harm.
+    harms_mw: Vec<f64>,
+    weighted: bool,
     powers_mw: Vec<f32>,
     /// Logarithm of the chance of what is over of the row's frame.
     ln_success: Vec<f32>,
@@ -89,6 +92,8 @@ impl FastAir {
             since_ns: 0,
             since: Vec::new(),
             totals_mw: Vec::new(),
+            harms_mw: Vec::new(),
+            weighted: false,
             powers_mw: Vec::new(),
             ln_success: Vec::new(),
             energies: Vec::new(),
@@ -118,6 +123,11 @@ impl FastAir {
         for (total, &power_mw) in self.totals_mw.iter_mut().zip(&self.powers_mw) {
             *total = rounded(power_mw);
         }
+        if self.weighted {
+            for (row, harm) in self.harms_mw.iter_mut().enumerate() {
+                *harm = self.receivers[row].harm_mw(frame, row);
+            }
+        }
         self.ln_success.fill(0.0);
         self.energies.fill(0.0);
     }
@@ -143,7 +153,7 @@ impl FastAir {
         }
     }
 
-    fn start_among_others(&mut self, frame: &OnAir) {
+    fn start_among_others<const WEIGHTED: bool>(&mut self, frame: &OnAir) {
         match self.quirks {
             Quirks::Ns3 => self.close_interval::<true>(frame, frame.start_ns),
             Quirks::None => self.close_interval::<false>(frame, frame.start_ns),
@@ -161,6 +171,7 @@ impl FastAir {
         let thresholds = &self.thresholds_mw[..n];
         let noise = &self.noise_mw[..n];
         let totals = &mut self.totals_mw[..n];
+        let harms = &mut self.harms_mw[..n];
         let (locks, heard) = (&mut self.locks[..n], &mut self.heard[..n]);
         let own = &mut self.powers_mw[..n];
         let ln_success = &mut self.ln_success[..n];
@@ -177,7 +188,11 @@ impl FastAir {
             // Of signals that begin together, the strongest is taken up.
             let free = locks[j] == 0;
             let fresh = locks[j].wrapping_sub(fresh_from) < fresh_span;
-            let over = power_mw >= receivers[j].lock * (noise[j] + before_mw as f32);
+            let harm_mw = if WEIGHTED { harms[j] } else { before_mw };
+            if WEIGHTED {
+                harms[j] += receivers[j].harm_mw(frame, j);
+            }
+            let over = power_mw >= receivers[j].lock * (noise[j] + harm_mw as f32);
             let takes = strong & ((free & over) | (!free & fresh & (power_mw > own[j])));
             locks[j] = if takes { frame.id } else { locks[j] };
             own[j] = if takes { power_mw } else { own[j] };
@@ -221,6 +236,12 @@ impl FastAir {
             for j in 0..m {
                 others[j] = others_mw(totals[j], own[j]);
                 energies[j] += others[j] * ns[j];
+            }
+            if self.weighted {
+                let harms = &self.harms_mw[first..][..m];
+                for j in 0..m {
+                    others[j] = others_mw(harms[j], own[j] * receivers[j].co_channel);
+                }
             }
             if self.one_modulation {
                 let table = &self.tables[receivers[0].modulation as usize];
@@ -305,6 +326,14 @@ impl FastAir {
                     room.others[k] = others_mw(totals[j], own[j]);
                     room.ln_success[k] = before[j];
                 }
+                room.harms[..mine].copy_from_slice(&room.others[..mine]);
+                if self.weighted {
+                    for k in 0..mine {
+                        let row = first + usize::from(room.mine[k]);
+                        let own_mw = room.own[k] * self.receivers[row].co_channel;
+                        room.harms[k] = others_mw(self.harms_mw[row], own_mw);
+                    }
+                }
             }
             room.reckon(table, self.quirks, frame.key, mine);
             for k in 0..mine {
@@ -346,6 +375,11 @@ impl FastAir {
         for (total, &power_mw) in self.totals_mw.iter_mut().zip(&frame.powers_mw) {
             *total -= rounded(power_mw);
         }
+        if self.weighted {
+            for (row, harm) in self.harms_mw.iter_mut().enumerate() {
+                *harm -= self.receivers[row].harm_mw(frame, row);
+            }
+        }
     }
 
     /// Takes off the channel what ended before.
@@ -361,6 +395,14 @@ impl FastAir {
 fn others_mw(total_mw: f64, own_mw: f32) -> f32 {
     let others_mw = (total_mw - rounded(own_mw)) as f32;
     if others_mw > 0.0 { others_mw } else { 0.0 }
+}
+
+impl Receiver {
+    /// The power of noise that would do as much harm as a frame in `row`, the receiver's own.
+    #[inline(always)]
+    fn harm_mw(&self, frame: &OnAir, row: usize) -> f64 {
+        rounded(frame.powers_mw[row] * self.weight(frame.modulation))
+    }
 }
 
 impl Air for FastAir {
@@ -384,6 +426,7 @@ impl Air for FastAir {
             self.books.resize(n, Tally::default());
             self.since.resize(n, 0.0);
             self.totals_mw.resize(n, 0.0);
+            self.harms_mw.resize(n, 0.0);
             self.powers_mw.resize(n, 0.0);
             self.ln_success.resize(n, 0.0);
             self.energies.resize(n, 0.0);
@@ -398,6 +441,18 @@ impl Air for FastAir {
         self.thresholds_mw[row] = f32::INFINITY;
         let first = self.receivers[0].modulation;
         self.one_modulation = self.receivers.iter().all(|r| r.modulation == first);
+        self.harms_mw[row] = 0.0;
+        if !self.weighted && receiver.co_channel != 1.0 {
+            self.weighted = true;
+            // From here on also for what is on the air.
+            for (row, harm) in self.harms_mw.iter_mut().enumerate() {
+                let harms = self
+                    .frames
+                    .iter()
+                    .map(|f| self.receivers[row].harm_mw(f, row));
+                *harm = harms.sum();
+            }
+        }
         self.locks[row] = 0;
         self.salts[row] = receiver.salt;
         (self.heard[row], self.got[row], self.spoilt[row]) = (0, 0, 0);
@@ -410,6 +465,9 @@ impl Air for FastAir {
     fn reveal(&mut self, row: usize, frame: usize, power_mw: f32) {
         self.frames[frame].powers_mw[row] = power_mw;
         self.totals_mw[row] += rounded(power_mw);
+        if self.weighted {
+            self.harms_mw[row] += self.receivers[row].harm_mw(&self.frames[frame], row);
+        }
     }
 
     fn listen(&mut self, row: usize, now_ns: u64, listening: bool) -> Option<Taking> {
@@ -436,7 +494,10 @@ impl Air for FastAir {
             self.start_in_silence(&frame);
         } else {
             self.open_books();
-            self.start_among_others(&frame);
+            match self.weighted {
+                true => self.start_among_others::<true>(&frame),
+                false => self.start_among_others::<false>(&frame),
+            }
         }
         self.frames.push(frame);
     }
@@ -458,6 +519,7 @@ impl Air for FastAir {
             self.ended.clear();
             // Exactly so already, unless there were more than 8 mW.
             self.totals_mw.fill(0.0);
+            self.harms_mw.fill(0.0);
         } else if self.quirks == Quirks::Ns3 {
             self.ended_ns = now_ns;
             self.ended.push(frame);
@@ -512,6 +574,8 @@ struct Room {
     noise: [f32; ROW],
     salts: [u32; ROW],
     others: [f32; ROW],
+    /// What they are worth as noise.
+    harms: [f32; ROW],
     /// The length of their last interval.
     ns: [f32; ROW],
     steps: [u32; ROW],
@@ -532,6 +596,7 @@ impl Default for Room {
             noise: [0.0; ROW],
             salts: [0; ROW],
             others: [0.0; ROW],
+            harms: [0.0; ROW],
             ns: [0.0; ROW],
             steps: [0; ROW],
             rests: [0.0; ROW],
@@ -560,10 +625,10 @@ impl Room {
     #[inline(always)]
     fn reckon(&mut self, table: &Table, quirks: Quirks, key: u64, m: usize) {
         let m = m.min(ROW);
-        let (own, noise, others) = (&self.own[..m], &self.noise[..m], &self.others[..m]);
+        let (own, noise, harms) = (&self.own[..m], &self.noise[..m], &self.harms[..m]);
         let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
         for k in 0..m {
-            (steps[k], rests[k]) = table.place(own[k] / (noise[k] + others[k]));
+            (steps[k], rests[k]) = table.place(own[k] / (noise[k] + harms[k]));
         }
         let (ln_success, ns) = (&mut self.ln_success[..m], &self.ns[..m]);
         for k in 0..m {

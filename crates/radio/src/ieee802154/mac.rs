@@ -247,6 +247,7 @@ impl Assessment {
 pub(super) struct Radio {
     pub(super) band: u32,
     pub(super) row: u32,
+    pub(super) modulation: u32,
     pub(super) timing: Timing,
     pub(super) ear: Ear,
     /// Falls asleep when its frame has ended.
@@ -291,6 +292,7 @@ impl Radio {
         Self {
             band: 0,
             row: 0,
+            modulation: 0,
             timing,
             ear: Ear::default(),
             drowsy: false,

@@ -952,3 +952,136 @@ fn energy_below_the_threshold_leaves_the_channel_free() {
         );
     }
 }
+
+/// A LoRa radio at 868.1 MHz with 125 kHz and 14 dBm.
+fn lora(bee: usize, spreading_factor: u8) -> RadioSpec {
+    use simbeeotic_radio::sx127x::{Lora, spec};
+    let lora = Lora {
+        spreading_factor,
+        ..Lora::default()
+    };
+    let centre = simbeeotic_units::Frequency::si(868.1e6);
+    RadioSpec {
+        owner: ModelId(bee as u32),
+        key: path_key(&format!("node-{bee}/radio")),
+        ..spec(centre, PowerLevel::from_dbm(14.0), lora).unwrap()
+    }
+}
+
+#[test]
+fn the_longest_frame_of_lora_is_received_nine_seconds_later() {
+    let specs = vec![lora(0, 12), lora(1, 12)];
+    let airtime = specs[0].airtime(255).secs();
+    assert!((8.9..9.2).contains(&airtime), "{airtime} s");
+    for arithmetic in [Arithmetic::Fast, Arithmetic::Exact] {
+        let config = Ieee802154Config {
+            arithmetic,
+            ..Ieee802154Config::default()
+        };
+        let places = vec![[0.0; 3], [1000.0, 0.0, 0.0]];
+        let mut trial = Trial::new(config, specs.clone(), places);
+        trial.broadcast(micros(1000), 0, 255);
+        trial.run(secs(20));
+        let times: Vec<f64> = trial.got.iter().map(|got| got.time_ns as f64).collect();
+        assert_eq!(times.len(), 1);
+        assert!((times[0] * 1e-9 - trial.got[0].sent_ns as f64 * 1e-9 - airtime).abs() < 1e-6);
+        assert_time_is_whole(&trial, secs(20));
+    }
+}
+
+#[test]
+fn a_frame_of_lora_must_be_six_decibels_above_others_of_its_spreading_factor() {
+    // Received at 1 km from the first sender; the second speaks in the middle of the first's frame.
+    let received = |factor: u8, db: f64, arithmetic| {
+        let far_m = 1000.0 * 10f64.powf(db / 20.0);
+        let config = Ieee802154Config {
+            arithmetic,
+            ..Ieee802154Config::default()
+        };
+        let specs = vec![lora(0, 7), lora(1, factor), lora(2, 7)];
+        let places = vec![[-1000.0, 0.0, 0.0], [far_m, 0.0, 0.0], [0.0; 3]];
+        let mut trial = Trial::new(config, specs, places);
+        trial.broadcast(micros(1000), 0, 20);
+        trial.broadcast(micros(20_000), 1, 20);
+        trial.run(secs(1));
+        let at_2 = trial.got.iter().filter(|got| got.receiver == 2);
+        at_2.map(|got| got.sender).collect::<Vec<u32>>()
+    };
+    for arithmetic in [Arithmetic::Fast, Arithmetic::Exact] {
+        // Of its own factor: how much the first is stronger.
+        for (db, first) in [(-6.0, false), (0.0, false), (5.5, false), (6.5, true)] {
+            let expected: &[u32] = if first { &[0] } else { &[] };
+            assert_eq!(received(7, db, arithmetic), expected, "{db} dB");
+        }
+        // Of another, like noise: least ratio of -7.5 dB.
+        for (db, first) in [(-8.0, false), (-7.0, true), (0.0, true)] {
+            let expected: &[u32] = if first { &[0] } else { &[] };
+            assert_eq!(received(9, db, arithmetic), expected, "SF 9, {db} dB");
+        }
+    }
+}
+
+#[test]
+fn radios_with_equal_modulations_made_apart_understand_each_other() {
+    use simbeeotic_radio::{Gfsk, Step};
+    let received = |one: Arc<dyn BitErrors>, other: Arc<dyn BitErrors>| {
+        let with = |bee, bits| {
+            at_once(
+                bee,
+                Phy {
+                    bits,
+                    ..Phy::default()
+                },
+            )
+        };
+        let specs = vec![with(0, one), with(1, other)];
+        let places = vec![[0.0; 3], [5.0, 0.0, 0.0]];
+        let mut trial = Trial::new(Ieee802154Config::default(), specs, places);
+        trial.broadcast(micros(1000), 0, 20);
+        trial.run(secs(1));
+        trial.got.len()
+    };
+    let gfsk = |bandwidth_over_rate| -> Arc<dyn BitErrors> {
+        Arc::new(Gfsk {
+            bandwidth_over_rate,
+        })
+    };
+    let step = Step {
+        margin: Decibels::from_db(1.0),
+    };
+    assert_eq!(received(Arc::new(OqpskDsss), Arc::new(OqpskDsss)), 1);
+    assert_eq!(received(gfsk(1.3), gfsk(1.3)), 1);
+    assert_eq!(received(gfsk(1.3), gfsk(1.4)), 0);
+    assert_eq!(received(gfsk(1.3), Arc::new(step)), 0);
+}
+
+#[test]
+fn of_two_radios_of_one_platform_both_hand_over_and_one_acknowledges() {
+    for keys in [[1, 2], [2, 1]] {
+        let mut specs: Vec<RadioSpec> = (0..3).map(node).collect();
+        for (spec, key) in specs[1..].iter_mut().zip(keys) {
+            (spec.owner, spec.key) = (ModelId(1), path_key(&format!("radio-{key}")));
+        }
+        let places = vec![[0.0; 3], [5.0, 0.0, 0.0]];
+        let mut trial = Trial::new(Ieee802154Config::default(), specs, places);
+        trial.submit(micros(100), unicast(0, 1, 20, 7));
+        trial.run(secs(1));
+        assert_eq!(results(&trial), [(0, 7, Ok(()))]);
+        assert_eq!(trial.counters(0).sent, 1);
+        let mut receivers: Vec<u32> = trial.got.iter().map(|got| got.receiver).collect();
+        receivers.sort_unstable();
+        assert_eq!(receivers, [1, 2]);
+        let sent = [1, 2].map(|r| state_us(&trial, r, RadioState::Transmit, secs(1)));
+        let first = if path_key("radio-1") < path_key("radio-2") {
+            1
+        } else {
+            2
+        };
+        let answers = if keys[0] == first {
+            [352.0, 0.0]
+        } else {
+            [0.0, 352.0]
+        };
+        assert_eq!(sent, answers, "{keys:?}");
+    }
+}
