@@ -28,7 +28,7 @@ pub enum Loss {
     QueueFull,
     /// Not sent: the payload does not fit into a frame, or its frame would last more than 73 minutes.
     TooLong,
-    /// Sent, and never acknowledged.
+    /// Sent, and not acknowledged: as often as the radio repeats frames, or until it went to sleep.
     NoAcknowledgement,
     /// Not sent: the scenario has no channel, or it is off.
     NoChannel,

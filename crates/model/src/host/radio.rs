@@ -30,7 +30,7 @@ impl Platform<'_> {
 
     /// Sends `payload` to one receiver, by its id ([`Cx::find`](super::Cx::find) knows the ids of
     /// paths). It takes the time and charge of all who hear it, and is handed to this one: to each of
-    /// its radios that hears it.
+    /// its radios that hears it. One of them acknowledges.
     ///
     /// A receiver that is not in the population ends the run with an error that names this model.
     pub fn send_to(&mut self, radio: RadioHandle, receiver: ModelId, payload: &[u8]) -> Ticket {

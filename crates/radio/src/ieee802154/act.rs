@@ -53,14 +53,13 @@ impl Band {
 }
 
 /// What decides how strong a frame arrives in a band.
-pub(super) fn space<'a>(config: &'a Ieee802154Config, band: &Band, noise_mw: f64) -> Space<'a> {
+pub(super) fn space<'a>(config: &'a Ieee802154Config, band: &Band) -> Space<'a> {
     let range_m = config.range_limit.map_or(f64::INFINITY, |r| r.metres()) as f32;
     Space {
         propagation: config.propagation.as_ref(),
         frequency: band.channel.centre,
         range_squared_m2: range_m * range_m,
-        // What is 20 dB below the noise does no harm, with or without a wall.
-        walls_above_mw: config.walls.then_some((0.01 * noise_mw) as f32),
+        walls: config.walls,
     }
 }
 
@@ -156,9 +155,9 @@ impl Ieee802154Medium {
 
         // What is on the air there already reaches it.
         let radio = &self.radios[id.index()];
-        let (row, noise_mw) = (radio.row as usize, radio.timing.noise_mw);
+        let row = radio.row as usize;
         let band = &mut self.bands[radio.band as usize];
-        let space = space(&self.config, band, noise_mw);
+        let space = space(&self.config, band);
         if !band.air.frames().is_empty() {
             band.members.place(now, poses);
         }

@@ -85,7 +85,7 @@ impl Ieee802154Medium {
             what,
         }));
         let (token, row) = (radio.ear_token, radio.row as usize);
-        let (at, noise_mw) = (radio.band as usize, radio.timing.noise_mw);
+        let at = radio.band as usize;
         if counted {
             radio.presence.own += 1;
             self.bands[at].started += 1;
@@ -97,7 +97,7 @@ impl Ieee802154Medium {
         let mut powers_mw = self.spare.pop().unwrap_or_default();
         powers_mw.clear();
         powers_mw.resize(band.members.radios.len(), 0.0);
-        let space = space(&self.config, band, noise_mw);
+        let space = space(&self.config, band);
         let rows = 0..powers_mw.len();
         band.members
             .powers(&source, rows, &space, poses, counted, &mut powers_mw);

@@ -24,6 +24,9 @@ pub(super) struct Members {
     enu_m: [Vec<f32>; 3],
     /// Gain of an antenna without direction, linear; 1 for those with one.
     gains: Vec<f32>,
+    /// Walls and bodies are looked up for powers above this, milliwatts: 20 dB below the receiver's own
+    /// noise a frame does no harm, with or without a wall.
+    walls_above_mw: Vec<f32>,
     mounts: Vec<Mount>,
     directed: Vec<Option<Arc<dyn Antenna>>>,
     /// Rotations of directions from the world's frame to the antenna's, where it matters.
@@ -60,8 +63,8 @@ pub(super) struct Space<'a> {
     pub(super) propagation: &'a dyn Propagation,
     pub(super) frequency: Frequency,
     pub(super) range_squared_m2: f32,
-    /// Walls and bodies take their share of powers above this, milliwatts.
-    pub(super) walls_above_mw: Option<f32>,
+    /// Whether walls and bodies take their share.
+    pub(super) walls: bool,
 }
 
 impl Members {
@@ -79,6 +82,7 @@ impl Members {
         self.owners[row] = spec.owner;
         self.keys[row] = spec.key;
         self.gains[row] = uniform.map_or(1.0, |gain| gain.ratio() as f32);
+        self.walls_above_mw[row] = (0.01 * spec.phy.noise.milliwatts()) as f32;
         self.mounts[row] = spec.mount;
         self.directed[row] = uniform.is_none().then(|| Arc::clone(&spec.antenna));
         self.beyond[row] = 0;
@@ -95,6 +99,7 @@ impl Members {
         self.keys.push(0);
         self.enu_m.iter_mut().for_each(|axis| axis.push(f32::NAN));
         self.gains.push(1.0);
+        self.walls_above_mw.push(f32::INFINITY);
         self.mounts.push(Mount::default());
         self.directed.push(None);
         self.antenna_from_world.push(Mat3::IDENTITY);
@@ -242,9 +247,9 @@ impl Members {
                 }
             }
         }
-        if let Some(above_mw) = space.walls_above_mw {
+        if space.walls {
             for (j, power) in powers.iter_mut().enumerate() {
-                if *power > above_mw {
+                if *power > self.walls_above_mw[start + j] {
                     *power *= self.wall_gain(source, start + j, space.frequency, poses);
                 }
             }

@@ -1085,3 +1085,28 @@ fn of_two_radios_of_one_platform_both_hand_over_and_one_acknowledges() {
         assert_eq!(sent, answers, "{keys:?}");
     }
 }
+
+#[test]
+fn a_sender_with_a_noisy_receiver_of_its_own_is_heard_through_walls_as_others_are() {
+    let rssi_dbm = |walls: bool| {
+        // Received with about -85 dBm: far below the sender's noise, far above the receiver's.
+        let loud = Phy {
+            noise: PowerLevel::from_dbm(-50.0),
+            ..Phy::default()
+        };
+        let specs = vec![at_once(0, loud), at_once(1, Phy::default())];
+        let config = Ieee802154Config {
+            walls,
+            ..Ieee802154Config::default()
+        };
+        let places = vec![[0.0, -80.0, 0.0], [0.0, 80.0, 0.0]];
+        let mut trial = Trial::new(config, specs, places);
+        trial.broadcast(micros(1000), 0, 20);
+        trial.run(secs(1));
+        assert_eq!(trial.got.len(), 1);
+        trial.got[0].rssi_dbm
+    };
+    let [without, with] = [rssi_dbm(false), rssi_dbm(true)];
+    assert!(without < -80.0, "{without} dBm");
+    assert!((without - with - 6.0).abs() < 1e-3, "{without} {with}");
+}
