@@ -8,7 +8,7 @@ use simbeeotic_record::{
     export_csv_file, export_parquet, export_readings, export_readings_file,
 };
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{BufWriter, ErrorKind, Write, stdout};
+use std::io::{BufWriter, ErrorKind, StdoutLock, Write, stdout};
 use std::num::NonZeroU64;
 use std::path::Path;
 
@@ -39,20 +39,10 @@ pub(super) fn export(options: &ExportOptions) -> Result<(), Failure> {
     };
     let target = match options.readings.as_ref().or(options.csv.as_ref()) {
         Some(path) if path == Path::new("-") => {
-            let mut out = BufWriter::new(stdout().lock());
-            let result = match options.readings {
-                Some(_) => export_readings(&recording, &selection, &mut out),
-                None => export_csv(&recording, &selection, &mut out),
-            };
-            return match result {
-                // A reader that has gone away (`| head`) has what it wanted.
-                Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
-                Err(error) => Err(failed(error)),
-                Ok(_) => match out.flush() {
-                    Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(e)),
-                    _ => Ok(()),
-                },
-            };
+            return to_stdout(|out| match options.readings {
+                Some(_) => export_readings(&recording, &selection, out),
+                None => export_csv(&recording, &selection, out),
+            });
         }
         Some(path) => path.clone(),
         None => {
@@ -85,21 +75,28 @@ fn export_table(
     table: AirTable,
 ) -> Result<(), Failure> {
     if path == Path::new("-") {
-        let mut out = BufWriter::new(stdout().lock());
-        return match export_air(table, recording, selection, &mut out) {
-            // A reader that has gone away (`| head`) has what it wanted.
-            Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
-            Err(error) => Err(failed(error)),
-            Ok(_) => match out.flush() {
-                Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(e)),
-                _ => Ok(()),
-            },
-        };
+        return to_stdout(|out| export_air(table, recording, selection, out));
     }
     keep_recording(options, path)?;
     let exported = export_air_file(table, recording, selection, path).map_err(failed)?;
     report(&exported, path);
     Ok(())
+}
+
+/// Writes a table to where its reader waits.
+fn to_stdout(
+    write: impl FnOnce(&mut BufWriter<StdoutLock<'static>>) -> Result<Exported, ExportError>,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::new(stdout().lock());
+    match write(&mut out) {
+        // A reader that has gone away (`| head`) has what it wanted.
+        Err(ExportError::Csv(source)) if source.kind() == ErrorKind::BrokenPipe => Ok(()),
+        Err(error) => Err(failed(error)),
+        Ok(_) => match out.flush() {
+            Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Failure::run(e)),
+            _ => Ok(()),
+        },
+    }
 }
 
 /// Writes the pictures, each named by its path and its time in microseconds, so that names sort as times do.

@@ -54,6 +54,23 @@ fn threads_recording_and_repetition_do_not_show() {
 }
 
 #[test]
+fn threads_do_not_show_where_packets_take_time_fade_and_hop() {
+    let program = Program::new();
+    for (name, end) in [("talk", "3 s"), ("flood", "4 s"), ("testbed", "5 s")] {
+        let scenario = shipped(&format!("scenarios/{name}.toml"));
+        let run = |threads: &str, seed: &str| {
+            let end = ["--no-record", "--end-time", end];
+            let rest = ["--threads", threads, "--seed", seed];
+            program.trace(&[&[scenario.as_str()], &end[..], &rest].concat())
+        };
+        let one = run("1", "1");
+        assert_eq!(one, run("2", "1"), "{name}, two threads");
+        assert_eq!(one, run("3", "1"), "{name}, three threads");
+        assert_ne!(one, run("1", "2"), "{name}, another seed");
+    }
+}
+
+#[test]
 fn the_hash_can_tell_a_change_of_one_parameter() {
     let program = Program::new();
     let scenario = shipped("scenarios/first-swarm.toml");
