@@ -164,6 +164,9 @@ impl RadioSpec {
             &figure,
             "a finite ratio",
         )?;
+        if let Some(gain) = self.antenna.uniform_gain() {
+            number("antenna gain", gain.is_finite(), &gain, "a finite ratio")?;
+        }
         let rate = self.data_rate;
         number(
             "data rate",
@@ -309,6 +312,10 @@ mod tests {
             .check()
             .is_err()
         );
+        let antenna = Arc::new(Isotropic {
+            gain: Decibels::from_db(f64::INFINITY),
+        });
+        assert!(RadioSpec { antenna, ..spec() }.check().is_err());
         let currents = Currents {
             idle: Current::si(-1.0),
             ..Currents::default()

@@ -55,7 +55,7 @@ pub enum AccessRule {
 /// Parameters of [`GenericRadio`].
 #[params]
 pub struct GenericRadioParams {
-    /// Middle of the channel.
+    /// Middle of the channel, 1 kHz to 10 THz.
     pub center_frequency: Frequency,
     /// Width of the channel.
     pub channel_bandwidth: Frequency,
@@ -169,7 +169,12 @@ impl Radio for GenericRadio {
     type Params = GenericRadioParams;
 
     fn spec(params: GenericRadioParams) -> Result<RadioSpec, BuildError> {
-        positive("center_frequency", params.center_frequency)?;
+        let hz = Frequency::si;
+        in_range(
+            "center_frequency",
+            params.center_frequency,
+            hz(1e3)..=hz(1e13),
+        )?;
         positive("channel_bandwidth", params.channel_bandwidth)?;
         let dbm = PowerLevel::from_dbm;
         in_range("tx_power", params.tx_power, dbm(-200.0)..=dbm(79.0))?;
