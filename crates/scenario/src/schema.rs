@@ -261,12 +261,17 @@ fn channel(all: &mut Definitions) -> Value {
             json!({ "type": "boolean", "default": false, "description": "Whether walls and bodies in the line of sight take their share of the power." }),
         ),
     ]);
-    one_of(
+    let mut section = one_of(
         all,
         Kind::Propagation,
         &common,
         "The air that radios share.",
-    )
+    );
+    // Without `use` it is free space, and there are the common keys alone.
+    if let Some(choices) = section.get_mut("oneOf").and_then(Value::as_array_mut) {
+        choices.push(table(common, "Free space."));
+    }
+    section
 }
 
 fn world(all: &mut Definitions) -> Value {
@@ -391,6 +396,7 @@ fn model(all: &mut Definitions) -> Value {
         "queue_frames".into(),
         json!({ "type": "integer", "minimum": 1, "maximum": QUEUE_FRAMES_MAX, "default": 100, "description": "How many packets may wait to be sent, where the medium makes them wait." }),
     );
+    let radios: Vec<&str> = of_kind(Kind::Radio).map(|part| part.label.name).collect();
     let radio = one_of(all, Kind::Radio, &aerial, "A radio.");
     let vehicle = one_of(
         all,
@@ -423,7 +429,10 @@ fn model(all: &mut Definitions) -> Value {
                 json!({ "anyOf": [{ "type": "string" }, vehicle] }),
             ),
             ("sensor", by_name(&sensor)),
-            ("radio", json!({ "anyOf": [radio, by_name(&radio)] })),
+            (
+                "radio",
+                json!({ "anyOf": [{ "enum": radios }, radio, by_name(&radio)] }),
+            ),
             (
                 "battery",
                 json!({ "anyOf": [{ "type": "string" }, battery] }),

@@ -30,7 +30,11 @@ pub(super) fn gear(section: &mut Section<'_>, cx: &mut Context<'_>) -> GearPlan 
         let single = node
             .as_table()
             .is_some_and(|t| t.get("use").is_some() || only_values(t));
-        if single {
+        if node.as_str().is_some() {
+            // The name of its part alone.
+            let node = &keyed("use", node);
+            gear.radios.extend(radio(RADIO, node, folder, faults));
+        } else if single {
             gear.radios.extend(radio(RADIO, node, folder, faults));
         } else {
             for (name, node) in named_tables(node, "radio", Kind::Radio, faults) {
@@ -47,15 +51,18 @@ pub(super) fn gear(section: &mut Section<'_>, cx: &mut Context<'_>) -> GearPlan 
 /// `[model.battery]`; a text in its place is the preset.
 fn supply(node: &Node, faults: &mut Vec<Fault>) -> Option<Arc<Supply>> {
     let table = match node.as_str() {
-        Some(_) => {
-            let mut table = Table::default();
-            table.set("preset", node.clone());
-            Node::new(node.span, Value::Table(table))
-        }
+        Some(_) => keyed("preset", node),
         None => node.clone(),
     };
     let supply = Supply::read(&table).map_err(|found| faults.extend(found));
     supply.ok().map(Arc::new)
+}
+
+/// A table of one entry.
+fn keyed(key: &str, node: &Node) -> Node {
+    let mut table = Table::default();
+    table.set(key, node.clone());
+    Node::new(node.span, Value::Table(table))
 }
 
 /// Whether a table has entries, and none that is a table itself.
@@ -80,11 +87,7 @@ fn named_tables<'n>(
             node.value.kind()
         );
         let mut fault = Fault::error(node.span, message);
-        let key = match kind {
-            // A radio needs no name.
-            Kind::Radio => what.to_owned(),
-            _ => format!("{what}.{}", node.as_str().unwrap_or("NAME")),
-        };
+        let key = format!("{what}.{}", node.as_str().unwrap_or("NAME"));
         fault.help = table_help(node, &key, kind);
         faults.push(fault);
         return Vec::new();

@@ -197,6 +197,22 @@ fn names_of_a_link_table_that_no_radio_has_are_told_before_the_run() {
 }
 
 #[test]
+fn a_channel_needs_no_use_in_the_schema_either() {
+    let schema = simbeeotic_scenario::schema::schema();
+    let choices = schema["properties"]["channel"]["oneOf"].as_array();
+    let own = choices.into_iter().flatten().filter_map(|choice| {
+        let keys = choice.get("properties")?.as_object()?;
+        Some((keys, choice.get("required")))
+    });
+    let own: Vec<_> = own.collect();
+    let [(keys, required)] = own[..] else {
+        panic!("{own:?}");
+    };
+    assert_eq!(required, None);
+    assert!(keys.contains_key("medium") && !keys.contains_key("use"));
+}
+
+#[test]
 fn radios_without_a_channel_are_told_so_once() {
     let without = channel("").replace("[channel]\n", "");
     let loaded = good("swarm.toml", &without);

@@ -88,10 +88,7 @@ fn with(lines: &str) -> String {
 fn the_name_of_a_part_where_its_table_is_wanted_shows_the_table() {
     let model = |line: &str| with(&format!("model = [{{ use = \"instrument-bee\", {line} }}]"));
     for (said, help) in [
-        (
-            model("radio = \"cc2420\""),
-            "write: radio = { use = \"cc2420\" }",
-        ),
+        (model("radio = \"cc240\""), "did you mean `cc2420`?"),
         (
             model("sensor.c = \"compas\""),
             "write: sensor.c = { use = \"compass\" }",

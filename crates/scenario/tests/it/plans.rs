@@ -127,12 +127,19 @@ fn what_flies_has_a_vehicle_and_what_does_not_has_none() {
 
 #[test]
 fn a_radio_without_a_channel_is_warned_of() {
-    let loaded = good(
-        "x.toml",
-        &format!("{RUN}[[model]]\nuse = \"inert-bee\"\nradio = {{ use = \"cc2420\" }}\n"),
-    );
-    assert_eq!(loaded.faults().len(), 1);
-    assert!(loaded.faults()[0].message.contains("heard by nobody"));
+    for radio in ["{ use = \"cc2420\" }", "\"cc2420\""] {
+        let loaded = good(
+            "x.toml",
+            &format!("{RUN}[[model]]\nuse = \"inert-bee\"\nradio = {radio}\n"),
+        );
+        assert_eq!(loaded.faults().len(), 1);
+        assert!(loaded.faults()[0].message.contains("heard by nobody"));
+        let setup = loaded.setup().expect("a set-up");
+        let [only] = &setup.models[0].gear.radios[..] else {
+            panic!("one radio");
+        };
+        assert_eq!(only.name, "radio");
+    }
 }
 
 #[test]
