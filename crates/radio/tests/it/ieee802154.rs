@@ -892,7 +892,8 @@ fn nobody_out_of_reach_changes_anything() {
         .map(|k| {
             let angle = f64::from(k) * std::f64::consts::TAU / 12.0;
             let radius_m = 34.0 + 0.3 * f64::from(k);
-            [radius_m * angle.cos(), radius_m * angle.sin(), 0.0]
+            let (sin, cos) = simbeeotic_units::math::sin_cos(angle);
+            [radius_m * cos, radius_m * sin, 0.0]
         })
         .collect();
     for arithmetic in [Arithmetic::Fast, Arithmetic::Exact] {
@@ -993,7 +994,7 @@ fn the_longest_frame_of_lora_is_received_nine_seconds_later() {
 fn a_frame_of_lora_must_be_six_decibels_above_others_of_its_spreading_factor() {
     // Received at 1 km from the first sender; the second speaks in the middle of the first's frame.
     let received = |factor: u8, db: f64, arithmetic| {
-        let far_m = 1000.0 * 10f64.powf(db / 20.0);
+        let far_m = 1000.0 * simbeeotic_units::math::pow(10.0, db / 20.0);
         let config = Ieee802154Config {
             arithmetic,
             ..Ieee802154Config::default()
