@@ -76,11 +76,11 @@ fn every_kind_is_drawn_as_svg_and_as_png() {
         assert!(words[0].starts_with("Five "), "{words:?}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{kind}");
 
-        let call = program.call(&["plot", kind, "five.mcap", "-o", "x.png", "--width", "500"]);
+        let call = program.call(&["plot", kind, "five.mcap", "-o", "x.png", "--width", "800"]);
         assert_eq!(call.code, Some(0), "{}", call.err);
         let png = std::fs::read(program.path("x.png")).expect("it is there");
         assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
-        assert_eq!(png[16..24], [0, 0, 1, 244, 0, 0, 2, 188], "500 x 700");
+        assert_eq!(png[16..24], [0, 0, 3, 32, 0, 0, 2, 188], "800 x 700");
     }
 }
 
@@ -107,7 +107,7 @@ fn a_map_of_links_has_each_radio_and_half_a_line_for_each_way() {
     ];
     assert_eq!(program.call(&some).code, Some(0));
     let svg = std::fs::read_to_string(program.path("x.svg")).expect("it is there");
-    assert!(svg.contains("the 1 best links of each"), "{svg}");
+    assert!(svg.contains("the best link of each"), "{svg}");
 }
 
 #[test]
