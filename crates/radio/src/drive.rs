@@ -107,13 +107,15 @@ pub fn drive(
             return received;
         };
         medium.open(now, poses, &mut owners);
+        // Both lists ascend, and the next owner is often the next of the radios'.
+        let mut at = 0;
         for &owner in &owners {
-            let first = radios.partition_point(|&(other, _)| other < owner);
-            let own = radios[first..]
-                .iter()
-                .take_while(|&&(other, _)| other == owner);
-            for &(_, radio) in own {
+            if radios.get(at).is_some_and(|&(other, _)| other < owner) {
+                at += radios[at..].partition_point(|&(other, _)| other < owner);
+            }
+            while let Some(&(_, radio)) = radios.get(at).filter(|(other, _)| *other == owner) {
                 received += medium.collect(radio, poses, &mut scratch).len() as u64;
+                at += 1;
             }
         }
         while let Some((_, request)) = requests.next_if(|(time, _)| *time <= now) {

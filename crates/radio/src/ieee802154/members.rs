@@ -125,8 +125,9 @@ impl Members {
         self.positions.clear();
         poses.positions(&self.owners, &mut self.positions);
         let [east, north, up] = &mut self.enu_m;
-        for (row, position) in self.positions.iter().enumerate().take(self.radios.len()) {
-            [east[row], north[row], up[row]] = position.si().as_vec3().to_array();
+        let columns = east.iter_mut().zip(north).zip(up);
+        for (((east, north), up), position) in columns.zip(&self.positions) {
+            [*east, *north, *up] = position.si().as_vec3().to_array();
         }
         if self.any_mounted {
             for row in 0..self.radios.len() {
