@@ -1,8 +1,10 @@
-//! What antennas with a direction add to a link: the one rule of all media.
+//! What antennas with a direction and walls do to a link: the one rule of all media.
 
 use crate::antenna::Antenna;
-use glam::{Mat3, Vec3};
-use simbeeotic_units::Attitude;
+use crate::medium::Poses;
+use glam::{DVec3, Mat3, Vec3};
+use simbeeotic_kernel::ModelId;
+use simbeeotic_units::{Attitude, Frequency, Position};
 
 /// One end of a link.
 pub(crate) struct End<'a> {
@@ -29,6 +31,20 @@ pub(crate) fn directed_gain(tx: &End<'_>, rx: &End<'_>) -> f32 {
         return 1.0;
     };
     tx.gain(tx_to_rx) * rx.gain(-tx_to_rx)
+}
+
+/// What walls and bodies leave of the power between two antennas, linear. Of each end: who carries it, and
+/// where it is, east, north, up, metres.
+pub(crate) fn walls_gain(
+    poses: &dyn Poses,
+    ends: [(ModelId, [f32; 3]); 2],
+    frequency: Frequency,
+) -> f32 {
+    let ends = ends.map(|(owner, [x, y, z])| {
+        let place = DVec3::new(x.into(), y.into(), z.into());
+        (owner, Position::from_si(place))
+    });
+    (-poses.obstruction(ends, frequency)).ratio() as f32
 }
 
 impl End<'_> {

@@ -6,7 +6,7 @@ use crate::medium::Poses;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::radio::RadioSpec;
 use crate::scratch::ROW;
-use glam::{DVec3, Mat3};
+use glam::Mat3;
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_units::{Frequency, Mount, Position};
 use std::ops::Range;
@@ -287,13 +287,9 @@ impl Members {
         poses: &dyn Poses,
     ) -> f32 {
         let ends = [
-            (source.owner, Position::from_si(place(source.enu_m))),
-            (self.owners[row], Position::from_si(place(self.at(row)))),
+            (source.owner, source.enu_m),
+            (self.owners[row], self.at(row)),
         ];
-        (-poses.obstruction(ends, frequency)).ratio() as f32
+        aim::walls_gain(poses, ends, frequency)
     }
-}
-
-fn place([x, y, z]: [f32; 3]) -> DVec3 {
-    DVec3::new(x.into(), y.into(), z.into())
 }

@@ -12,10 +12,9 @@ use crate::inbox::Hit;
 use crate::medium::Poses;
 use crate::propagation::{FrameKeys, Links, Propagation, Role};
 use crate::scratch::{ROW, Row, Scratch};
-use glam::DVec3;
 use simbeeotic_kernel::rng::draw_u32;
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_units::{Frequency, Position};
+use simbeeotic_units::Frequency;
 use std::ops::Range;
 
 /// The numbers of many receivers, a column each.
@@ -344,14 +343,8 @@ impl Between<'_> {
 
     /// What walls and bodies leave of the power between two antennas.
     fn walls_gain(&self, tx: (ModelId, [f32; 3]), rx: (ModelId, [f32; 3])) -> f32 {
-        let end = |(owner, [x, y, z]): (ModelId, [f32; 3])| {
-            (
-                owner,
-                Position::from_si(DVec3::new(x.into(), y.into(), z.into())),
-            )
-        };
         self.walls.map_or(1.0, |poses| {
-            (-poses.obstruction([end(tx), end(rx)], self.frequency)).ratio() as f32
+            aim::walls_gain(poses, [tx, rx], self.frequency)
         })
     }
 }
