@@ -84,8 +84,8 @@ const TABLE: &[Row] = &[
     },
     Row {
         name: "view",
-        sees: &["units", "world", "record"],
-        because: "a view reads the log or the stream, never the engine",
+        sees: &["units", "world", "model", "record"],
+        because: "a view is handed data and reads the log: it never sees the engine, so it cannot change a run",
     },
     Row {
         name: "testbed",

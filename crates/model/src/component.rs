@@ -6,8 +6,10 @@
 
 use crate::summary::Summary;
 use crate::view::View;
-use simbeeotic_kernel::SimTime;
+use simbeeotic_kernel::pace::Control;
+use simbeeotic_kernel::{Progress, SimTime};
 use simbeeotic_units::Time;
+use std::sync::Arc;
 
 /// Something that watches a run. Register it with `#[component("name")]`.
 pub trait Component: Send {
@@ -15,16 +17,38 @@ pub trait Component: Send {
     fn period(&self) -> Option<Time>;
 
     /// Whether it looks at what the sensor of this path (`bee-17/imu`) measures, as
-    /// [`Mark::Sensed`](crate::Mark): nothing is noted for nobody. Asked once, before the first event.
+    /// [`Mark::Sensed`](crate::Mark): nothing is noted for nobody. Asked before the first event, and when
+    /// its [`interest`](Self::interest) changes.
     fn wants_reading(&self, _sensor: &str) -> bool {
         false
     }
 
     /// Whether it looks at the frames that the radio of this path (`bee-17/radio`) sends, as
     /// [`Mark::OnAir`](crate::Mark) and [`Mark::Heard`](crate::Mark): nothing is noted for nobody. Asked
-    /// once, before the first event; `among` is the number of all radios of the run.
+    /// before the first event, and when its [`interest`](Self::interest) changes; `among` is the number
+    /// of all radios of the run.
     fn wants_packets(&self, _radio: &str, _among: usize) -> bool {
         false
+    }
+
+    /// A number that changes whenever [`wants_reading`](Self::wants_reading) or
+    /// [`wants_packets`](Self::wants_packets) would answer differently. Looked at after each
+    /// observation; the run then asks both anew.
+    fn interest(&self) -> u64 {
+        0
+    }
+
+    /// Called once, before [`start`](Self::start): the handles by which it may pace, pause and step the
+    /// run, from any thread, and see how far it has come. Neither reaches the trace.
+    fn attach(&mut self, _control: &Arc<Control>, _progress: &Arc<Progress>) {}
+
+    /// Called while the run is held: at once when it comes to stand, after each step, and then some
+    /// twenty times a second of wall time. What it sees is the last instant that has run.
+    ///
+    /// # Errors
+    /// The run ends.
+    fn held(&mut self, _view: &View<'_>) -> Result<(), ComponentError> {
+        Ok(())
     }
 
     /// When it wants to observe next, after an observation at `now`: a period later, unless it has a

@@ -19,6 +19,7 @@
 // The attribute macros say `::simbeeotic_model`, in this crate too.
 extern crate self as simbeeotic_model;
 
+mod about;
 pub mod air;
 mod around;
 pub mod behavior;
@@ -53,6 +54,7 @@ pub mod vehicle;
 pub mod view;
 mod watch;
 
+pub use about::{About, AboutPart, AboutRadio, AboutSensor, Beams};
 pub use air::{Air, Aside, Fidelity, MadeAir, NoiseFloor};
 pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle, SentHandler};

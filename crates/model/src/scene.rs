@@ -35,6 +35,15 @@ const STATION: Color = Color::rgb(158, 98, 48);
 /// The colour of a ghost.
 const GHOST: Color = Color::rgb(150, 100, 190);
 
+/// The colour of a body of the swarm.
+pub(crate) const fn color_of(kind: Kind) -> Color {
+    match kind {
+        Kind::Station => STATION,
+        Kind::Ghost => GHOST,
+        _ => VEHICLE,
+    }
+}
+
 impl Scene<'_> {
     /// What each ray of a fan meets first of `what`, as the instant began, row by row.
     ///
@@ -103,10 +112,8 @@ impl Scene<'_> {
     pub fn color_of(&self, hit: &Hit) -> Color {
         match (self.look_of(hit), self.kind_of(hit)) {
             (Some(look), _) => look.color,
-            (None, Kind::Station) => STATION,
-            (None, Kind::Ghost) => GHOST,
             (None, Kind::Ground) => self.world().ground.color,
-            _ => VEHICLE,
+            (None, kind) => color_of(kind),
         }
     }
 

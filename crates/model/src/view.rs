@@ -4,17 +4,17 @@ use crate::energy::{Battery, BatteryState, Effort};
 use crate::host::{Ray, Seen};
 use crate::line::Line;
 use crate::population::Population;
-use crate::scene::Scene;
+use crate::scene::{Scene, color_of};
 use crate::sees::SeesWhat;
 use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_physics::{BodyError, Kind, Motion, Support};
+use simbeeotic_physics::{BodyError, Kind, Motion, Shape, Support};
 use simbeeotic_radio::{Counters, RadioId};
 use simbeeotic_units::{
-    Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Rate, Twist, Velocity, glam,
+    Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Position, Rate, Twist, Velocity, glam,
 };
-use simbeeotic_world::{GasField, World};
+use simbeeotic_world::{Color, GasField, World};
 
 /// The truth about a platform and its surroundings, from which a sensor makes a reading.
 pub struct Truth<'a> {
@@ -308,6 +308,26 @@ impl<'a> View<'a> {
     /// The radius of the sphere around a model's body.
     pub fn radius(&self, id: ModelId) -> Option<Length> {
         self.swarm.radius_of(id)
+    }
+
+    /// The shape of a model's body, in its body frame.
+    pub fn shape(&self, id: ModelId) -> Option<&'a Shape> {
+        Some(self.swarm.physics.shape(self.swarm.body_of(id)?))
+    }
+
+    /// What a model's body counts as: a vehicle, a station, a ghost.
+    pub fn body_kind(&self, id: ModelId) -> Option<Kind> {
+        Some(self.swarm.physics.kind(self.swarm.body_of(id)?))
+    }
+
+    /// The colour of a model's body, as cameras see it.
+    pub fn color(&self, id: ModelId) -> Option<Color> {
+        Some(color_of(self.body_kind(id)?))
+    }
+
+    /// The wind at a place now.
+    pub fn wind(&self, position: Position) -> Velocity<Enu> {
+        self.swarm.weather.wind(position, self.now)
     }
 
     /// A model's battery now; `None` if it has none.

@@ -48,6 +48,7 @@ fn record(
         path: format!("bee-{number}"),
         kind: "random-walk-bee".into(),
         radius_m: 0.01,
+        ..Vehicle::default()
     };
     let header = Header {
         vehicles: (0..count).map(vehicle).collect(),

@@ -157,6 +157,7 @@ impl Component for RecorderComponent {
                 path: member.map(|m| m.path.to_owned()).unwrap_or_default(),
                 kind: member.map(|m| m.kind.to_owned()).unwrap_or_default(),
                 radius_m: view.radius(*id).map_or(0.0, |r| r.metres()),
+                ..Vehicle::default()
             }
         };
         let header = Header {

@@ -1,6 +1,8 @@
 //! What is recorded and read back: the same plain types in both directions.
 
+use crate::stage::Piece;
 use simbeeotic_model::Image;
+use std::sync::Arc;
 
 /// One vehicle of a recording. Its place in the list is its place in every [`Tick`].
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,6 +13,12 @@ pub struct Vehicle {
     pub kind: String,
     /// Radius of the smallest sphere around the body's origin that holds its shape, m.
     pub radius_m: f64,
+    /// What its body counts as: `vehicle`, `station`, `ghost`; empty if that was not recorded.
+    pub role: String,
+    /// Red, green, blue, opacity of its body, 0 to 255 each; all 0 if that was not recorded.
+    pub color: [u8; 4],
+    /// Its shape, in its body frame (FLU); empty if that was not recorded. Shared by all that look alike.
+    pub pieces: Arc<[Piece]>,
 }
 
 /// Where one vehicle is and how it moves, at one instant.

@@ -185,7 +185,7 @@ pub enum RecordError {
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("run.mcap");
-/// let bee = Vehicle { path: "bee-0".into(), kind: "inert-bee".into(), radius_m: 0.01 };
+/// let bee = Vehicle { path: "bee-0".into(), kind: "inert-bee".into(), radius_m: 0.01, ..Vehicle::default() };
 /// let header = Header { seed: 7, vehicles: vec![bee], ..Header::default() };
 /// let mut recorder = Recorder::create(&path, header)?;
 /// recorder.tick(100_000_000, [Sample { position_m: [1.0, 2.0, 3.0], ..Sample::default() }])?;

@@ -333,6 +333,7 @@ impl Recording {
                 path,
                 kind,
                 radius_m,
+                ..Vehicle::default()
             })
             .collect();
         Ok(())

@@ -87,9 +87,13 @@ impl Simulation {
                 Wake::new(wake::START, 0),
             );
         }
+        let (control, progress) = (engine.control(), engine.progress());
         let observers = components
             .into_iter()
-            .map(|(_, component)| Observer::new(component))
+            .map(|(_, mut component)| {
+                component.attach(&control, &progress);
+                Observer::new(component)
+            })
             .collect::<Vec<_>>();
         engine.domain_mut().keep_marks = !observers.is_empty();
         if !observers.is_empty() {

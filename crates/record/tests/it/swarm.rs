@@ -14,6 +14,7 @@ pub(crate) fn vehicles(count: usize) -> Vec<Vehicle> {
         path: format!("bee-{number}"),
         kind: "instrument-bee".into(),
         radius_m: 0.01 + number as f64,
+        ..Vehicle::default()
     };
     (0..count).map(vehicle).collect()
 }
