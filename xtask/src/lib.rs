@@ -26,6 +26,7 @@ mod arrows;
 mod gallery;
 mod golden;
 mod new_project;
+mod page;
 mod program;
 mod repo;
 mod report;

@@ -1,6 +1,6 @@
 //! The `simbeeotic` program as the checks run it: started at the root.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail, ensure};
@@ -61,6 +61,11 @@ impl<'a> Program<'a> {
     #[cfg(test)]
     pub(crate) fn at(repo: &'a Repo, binary: PathBuf) -> Self {
         Self { repo, binary }
+    }
+
+    /// The file.
+    pub(crate) fn binary(&self) -> &Path {
+        &self.binary
     }
 
     /// The program with these arguments, to be started at the root.

@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::repo::Repo;
 use crate::report::Report;
-use crate::{arrows, gallery, golden, new_project, schema, tidy, tools};
+use crate::{arrows, gallery, golden, new_project, page, schema, tidy, tools};
 
 /// One check that can be asked for by name.
 struct Step {
@@ -79,6 +79,12 @@ const STEPS: &[Step] = &[
         holds: "the book's gallery is drawn anew: its page and its pictures [NAME ...]",
         order: Order::Asked,
         run: |repo, options| gallery::draw(repo, &options.words),
+    },
+    Step {
+        name: "page",
+        holds: "the page is what its sources build, and passes its tests in a browser",
+        order: Order::Asked,
+        run: |repo, _| page::check(repo),
     },
     Step {
         name: "new-project",
