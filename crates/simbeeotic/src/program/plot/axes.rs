@@ -5,17 +5,17 @@ use simbeeotic_units::math;
 
 /// One axis: what it shows, from where to where, and a tick every `step`.
 #[derive(Clone, Debug)]
-pub(super) struct Axis {
-    pub(super) label: String,
-    pub(super) low: f64,
-    pub(super) high: f64,
-    pub(super) step: f64,
+pub(crate) struct Axis {
+    pub(crate) label: String,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) step: f64,
 }
 
 impl Axis {
     /// From `low` to `high`, with about so many ticks at whole multiples of 1, 2 or 5 times a power of
     /// ten.
-    pub(super) fn exact(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
+    pub(crate) fn exact(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
         let high = if high > low { high } else { low + 1.0 };
         Self {
             label: label.into(),
@@ -26,7 +26,7 @@ impl Axis {
     }
 
     /// The same, stretched to the next ticks outside.
-    pub(super) fn stretched(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
+    pub(crate) fn stretched(label: impl Into<String>, low: f64, high: f64, ticks: f64) -> Self {
         let mut axis = Self::exact(label, low, high, ticks);
         let (step, small) = (axis.step, 1e-9);
         axis.low = (axis.low / step + small).floor() * step;
@@ -35,7 +35,7 @@ impl Axis {
     }
 
     /// The ticks with their numbers.
-    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let small = 1e-9;
         let first = (self.low / self.step - small).ceil() as i64;
         let last = (self.high / self.step + small).floor() as i64;
@@ -54,7 +54,7 @@ impl Axis {
 }
 
 /// The least of 1, 2 and 5 times a power of ten that is not below a number above zero.
-pub(super) fn nice(least: f64) -> f64 {
+pub(crate) fn nice(least: f64) -> f64 {
     let power = math::log10(least).floor().clamp(-300.0, 300.0) as i32;
     let tens = (0..power.abs()).fold(1.0, |tens, _| tens * 10.0);
     let scaled = |digit: f64| {
@@ -70,7 +70,7 @@ pub(super) fn nice(least: f64) -> f64 {
 }
 
 /// A number with the digits that a step needs.
-pub(super) fn number(value: f64, step: f64) -> String {
+pub(crate) fn number(value: f64, step: f64) -> String {
     let decimals = (-math::log10(step).floor()).clamp(0.0, 9.0) as usize;
     let digits = format!("{:.decimals$}", value.abs());
     let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
@@ -83,7 +83,7 @@ pub(super) fn number(value: f64, step: f64) -> String {
 }
 
 /// Digits in groups of three.
-pub(super) fn grouped(digits: &str) -> String {
+pub(crate) fn grouped(digits: &str) -> String {
     let mut grouped = String::new();
     for (at, digit) in digits.chars().enumerate() {
         if at > 0 && (digits.len() - at).is_multiple_of(3) {
@@ -96,16 +96,16 @@ pub(super) fn grouped(digits: &str) -> String {
 
 /// A rectangle of the picture with two axes.
 #[derive(Clone, Debug)]
-pub(super) struct Panel {
+pub(crate) struct Panel {
     /// Left, top, right, bottom, pixels.
-    pub(super) edges: [f64; 4],
-    pub(super) x: Axis,
-    pub(super) y: Axis,
+    pub(crate) edges: [f64; 4],
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
 }
 
 impl Panel {
     /// Where a pair of numbers is on the picture.
-    pub(super) fn place(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(crate) fn place(&self, x: f64, y: f64) -> [f64; 2] {
         let [left, top, right, bottom] = self.edges;
         [
             left + (right - left) * self.x.share(x),
@@ -114,7 +114,7 @@ impl Panel {
     }
 
     /// Draws grid, axes and numbers; those below only if `below`.
-    pub(super) fn draw(&self, sheet: &mut Sheet, below: bool) {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, below: bool) {
         let [left, top, right, bottom] = self.edges;
         for (value, text) in self.x.ticks() {
             let [x, _] = self.place(value, self.y.low);

@@ -13,7 +13,7 @@ fn face() -> Option<&'static Face<'static>> {
 }
 
 /// How wide a line of words is at a size, in the size's unit.
-pub(super) fn width(text: &str, size: f64) -> f64 {
+pub(crate) fn width(text: &str, size: f64) -> f64 {
     let Some(face) = face() else { return 0.0 };
     let advance = |letter| {
         let glyph = face.glyph_index(letter).unwrap_or_default();
@@ -24,7 +24,7 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// The outline of a line of words that begins at the origin; `y` is downwards. `None` if nothing is seen.
-pub(super) fn outline(text: &str, size: f64) -> Option<Path> {
+pub(crate) fn outline(text: &str, size: f64) -> Option<Path> {
     let face = face()?;
     let scale = size / f64::from(face.units_per_em());
     let mut pen = Pen {

@@ -3,39 +3,70 @@
 //! Each kind of picture is a function from a recording to a [`Sheet`](sheet::Sheet): a list of lines, areas, discs and
 //! words in pixels. A sheet becomes SVG by printing it ([`svg`]), PNG by filling outlines ([`png`]); the
 //! letters are part of the program ([`font`]), so that a picture is the same everywhere. [`axes`] and
-//! [`palette`] are for all kinds.
+//! [`palette`] are for all kinds. Other commands draw with [`Sheet`], [`axes`] and [`save`], too.
 //!
 //! Why there is no plotting library below it: `docs/adr/0014-plots-without-a-library.md`.
 
-mod axes;
+pub(super) mod axes;
 mod delivery;
-mod font;
+pub(super) mod font;
 mod links;
 mod losses;
-mod palette;
+pub(super) mod palette;
 mod png;
-mod sheet;
+pub(super) mod sheet;
 mod source;
 mod stats;
 mod svg;
 
 use super::arguments::{Plot, PlotOptions};
 use super::{Failure, remark, same_file};
+use sheet::Sheet;
 use simbeeotic_record::publish;
 use source::Source;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// What a picture becomes.
-#[derive(Clone, Copy)]
-enum Format {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
     Svg,
     Png,
+}
+
+impl Format {
+    /// By the ending of a file's name.
+    pub(super) fn of(output: &Path) -> Result<Self, Failure> {
+        let ending = output.extension().and_then(|ending| ending.to_str());
+        match ending.map(str::to_ascii_lowercase).as_deref() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            _ => Err(Failure::input(format!(
+                "--output {}: a picture is written as .svg or .png",
+                output.display()
+            ))),
+        }
+    }
+}
+
+/// Writes a picture, whole or not at all, and says so.
+pub(super) fn save(sheet: &Sheet, output: &Path, format: Format) -> Result<(), Failure> {
+    let bytes = match format {
+        Format::Svg => svg::svg(sheet).into_bytes(),
+        Format::Png => png::png(sheet).ok_or_else(|| Failure::run("the picture is too large"))?,
+    };
+    let written = publish(output, |mut file| -> io::Result<()> {
+        file.write_all(&bytes)
+    });
+    written.map_err(|error| Failure::run(format!("cannot write {}: {error}", output.display())))?;
+    remark(format!("wrote {}", output.display()));
+    Ok(())
 }
 
 /// Draws it.
 pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
     let options = what.options();
-    let format = format(options)?;
+    let format = Format::of(&options.output)?;
     let source = Source::open(options)?;
     if same_file(&options.recording, &options.output) {
         return Err(Failure::input(format!(
@@ -49,36 +80,7 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
         Plot::Rssi(options) => delivery::rssi(&source, options),
         Plot::Losses(options) => losses::losses(&source, options),
     }?;
-    let bytes = match format {
-        Format::Svg => svg::svg(&sheet).into_bytes(),
-        Format::Png => png::png(&sheet).ok_or_else(|| Failure::run("the picture is too large"))?,
-    };
-    let written = publish(&options.output, |mut file| -> io::Result<()> {
-        file.write_all(&bytes)
-    });
-    written.map_err(|error| {
-        Failure::run(format!(
-            "cannot write {}: {error}",
-            options.output.display()
-        ))
-    })?;
-    remark(format!("wrote {}", options.output.display()));
-    Ok(())
-}
-
-fn format(options: &PlotOptions) -> Result<Format, Failure> {
-    let ending = options
-        .output
-        .extension()
-        .and_then(|ending| ending.to_str());
-    match ending.map(str::to_ascii_lowercase).as_deref() {
-        Some("svg") => Ok(Format::Svg),
-        Some("png") => Ok(Format::Png),
-        _ => Err(Failure::input(format!(
-            "--output {}: a picture is written as .svg or .png",
-            options.output.display()
-        ))),
-    }
+    save(&sheet, &options.output, format)
 }
 
 impl Plot {

@@ -15,7 +15,7 @@ const SERIES: [[u8; 3]; 7] = [
 ];
 
 /// The colour of a series.
-pub(super) fn series(place: usize) -> Ink {
+pub(crate) fn series(place: usize) -> Ink {
     Ink::new(SERIES.get(place).copied().unwrap_or([0x99; 3]))
 }
 
@@ -29,7 +29,7 @@ const RAMP: [[f64; 3]; 5] = [
 ];
 
 /// The colour of a share, 0 to 1.
-pub(super) fn ramp(share: f64) -> Ink {
+pub(crate) fn ramp(share: f64) -> Ink {
     let last = RAMP.len() - 1;
     let at = share.clamp(0.0, 1.0) * last as f64;
     let low = (at.floor() as usize).min(last - 1);

@@ -1,11 +1,14 @@
 //! A picture as PNG.
 
 use super::font;
-use super::sheet::{Anchor, Ink, Shape, Sheet};
-use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+use super::sheet::{Anchor, Ink, Shape, Sheet, WHITE, Words};
+use tiny_skia::{
+    Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
+    Stroke, StrokeDash, Transform,
+};
 
 /// The file's bytes; `None` if the picture is too large.
-pub(super) fn png(sheet: &Sheet) -> Option<Vec<u8>> {
+pub(crate) fn png(sheet: &Sheet) -> Option<Vec<u8>> {
     let mut pixels = Pixmap::new(sheet.width, sheet.height)?;
     pixels.fill(Color::WHITE);
     for shape in &sheet.shapes {
@@ -14,13 +17,38 @@ pub(super) fn png(sheet: &Sheet) -> Option<Vec<u8>> {
     pixels.encode_png().ok()
 }
 
+/// Cells as a PNG of one pixel each; `None` of no cells.
+pub(super) fn cells(columns: u32, inks: &[Ink]) -> Option<Vec<u8>> {
+    let rows = u32::try_from(inks.len()).ok()?.checked_div(columns)?;
+    let mut pixels = Pixmap::new(columns, rows)?;
+    for (pixel, ink) in pixels.pixels_mut().iter_mut().zip(inks) {
+        *pixel = premultiplied(*ink);
+    }
+    pixels.encode_png().ok()
+}
+
 /// Draws one thing, if anything of it is to be seen.
 fn draw(pixels: &mut Pixmap, shape: &Shape) -> Option<()> {
     match shape {
-        Shape::Line { points, ink, width } => {
-            stroke(pixels, &path(points, false)?, *ink, *width, still());
+        Shape::Line {
+            points,
+            ink,
+            width,
+            dash,
+        } => {
+            let path = path(std::slice::from_ref(points), false)?;
+            let dash = dash.and_then(|[on, off]| StrokeDash::new(vec![on as f32, off as f32], 0.0));
+            stroke(pixels, &path, *ink, *width, dash, still());
         }
-        Shape::Area { points, ink } => fill(pixels, &path(points, true)?, *ink, still()),
+        Shape::Area { rings, ink } => {
+            let path = path(rings, true)?;
+            pixels.fill_path(&path, &paint(*ink), FillRule::EvenOdd, still(), None);
+        }
+        Shape::Cells {
+            edges,
+            columns,
+            inks,
+        } => blocks(pixels, *edges, *columns, inks)?,
         Shape::Disc {
             centre: [x, y],
             radius,
@@ -30,34 +58,53 @@ fn draw(pixels: &mut Pixmap, shape: &Shape) -> Option<()> {
             let disc = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32)?;
             fill(pixels, &disc, *ink, still());
             if *rim > 0.0 {
-                stroke(pixels, &disc, super::sheet::WHITE, *rim, still());
+                stroke(pixels, &disc, WHITE, *rim, None, still());
             }
         }
-        Shape::Words {
-            at: [x, y],
-            text,
-            size,
-            anchor,
-            ink,
-            upwards,
-            halo,
-        } => {
-            let outline = font::outline(text, *size)?;
-            let share = match anchor {
-                Anchor::Start => 0.0,
-                Anchor::Middle => 0.5,
-                Anchor::End => 1.0,
-            };
-            let back = -(font::width(text, *size) * share) as f32;
-            let mut place = Transform::from_translate(*x as f32, *y as f32);
-            if *upwards {
-                place = place.pre_rotate(-90.0);
-            }
-            let place = place.pre_translate(back, 0.0);
-            if *halo {
-                stroke(pixels, &outline, super::sheet::WHITE, 3.5, place);
-            }
-            fill(pixels, &outline, *ink, place);
+        Shape::Words(words) => letters(pixels, words)?,
+    }
+    Some(())
+}
+
+fn letters(pixels: &mut Pixmap, words: &Words) -> Option<()> {
+    let Words { text, size, .. } = words;
+    let outline = font::outline(text, *size)?;
+    let share = match words.anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => 0.5,
+        Anchor::End => 1.0,
+    };
+    let back = -(font::width(text, *size) * share) as f32;
+    let [x, y] = words.at;
+    let mut place = Transform::from_translate(x as f32, y as f32);
+    if words.upwards {
+        place = place.pre_rotate(-90.0);
+    }
+    let place = place.pre_translate(back, 0.0);
+    if words.halo {
+        stroke(pixels, &outline, WHITE, 3.5, None, place);
+    }
+    fill(pixels, &outline, words.ink, place);
+    Some(())
+}
+
+/// Cells as rectangles whose edges are whole pixels, so that no seams are seen between them.
+fn blocks(pixels: &mut Pixmap, edges: [f64; 4], columns: u32, inks: &[Ink]) -> Option<()> {
+    let rows = u32::try_from(inks.len()).ok()?.checked_div(columns)?;
+    let [left, top, right, bottom] = edges;
+    let along = |from: f64, to: f64, at: u32, of: u32| {
+        (from + (to - from) * f64::from(at) / f64::from(of)).round() as f32
+    };
+    for (at, ink) in (0..).zip(inks).filter(|(_, ink)| ink.alpha > 0.0) {
+        let (row, column) = (at / columns, at % columns);
+        let rect = Rect::from_ltrb(
+            along(left, right, column, columns),
+            along(top, bottom, row, rows),
+            along(left, right, column + 1, columns),
+            along(top, bottom, row + 1, rows),
+        );
+        if let Some(rect) = rect {
+            pixels.fill_rect(rect, &paint(*ink), still(), None);
         }
     }
     Some(())
@@ -67,15 +114,20 @@ fn still() -> Transform {
     Transform::identity()
 }
 
-fn path(points: &[[f64; 2]], closed: bool) -> Option<Path> {
-    let (first, rest) = points.split_first()?;
+/// The outlines as one path, if there is anything to be seen of it. Points that are no numbers are left out.
+fn path(rings: &[Vec<[f64; 2]>], closed: bool) -> Option<Path> {
     let mut path = PathBuilder::new();
-    path.move_to(first[0] as f32, first[1] as f32);
-    for [x, y] in rest {
-        path.line_to(*x as f32, *y as f32);
-    }
-    if closed {
-        path.close();
+    for ring in rings {
+        for (at, [x, y]) in ring.iter().enumerate() {
+            let (x, y) = (*x as f32, *y as f32);
+            match at {
+                0 => path.move_to(x, y),
+                _ => path.line_to(x, y),
+            }
+        }
+        if closed && !ring.is_empty() {
+            path.close();
+        }
     }
     path.finish()
 }
@@ -83,23 +135,35 @@ fn path(points: &[[f64; 2]], closed: bool) -> Option<Path> {
 fn paint(ink: Ink) -> Paint<'static> {
     let [red, green, blue] = ink.rgb;
     let mut paint = Paint::default();
-    paint.set_color_rgba8(
-        red,
-        green,
-        blue,
-        (ink.alpha.clamp(0.0, 1.0) * 255.0).round() as u8,
-    );
+    paint.set_color_rgba8(red, green, blue, alpha(ink));
     paint
+}
+
+fn alpha(ink: Ink) -> u8 {
+    (ink.alpha.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+fn premultiplied(ink: Ink) -> PremultipliedColorU8 {
+    let [red, green, blue] = ink.rgb;
+    tiny_skia::ColorU8::from_rgba(red, green, blue, alpha(ink)).premultiply()
 }
 
 fn fill(pixels: &mut Pixmap, path: &Path, ink: Ink, place: Transform) {
     pixels.fill_path(path, &paint(ink), FillRule::Winding, place, None);
 }
 
-fn stroke(pixels: &mut Pixmap, path: &Path, ink: Ink, width: f64, place: Transform) {
+fn stroke(
+    pixels: &mut Pixmap,
+    path: &Path,
+    ink: Ink,
+    width: f64,
+    dash: Option<StrokeDash>,
+    place: Transform,
+) {
     let stroke = Stroke {
         width: width as f32,
         line_join: LineJoin::Round,
+        dash,
         ..Stroke::default()
     };
     pixels.stroke_path(path, &paint(ink), &stroke, place, None);

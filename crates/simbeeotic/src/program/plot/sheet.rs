@@ -5,34 +5,34 @@ use super::font;
 
 /// A colour, and how much of it covers what is below.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ink {
-    pub(super) rgb: [u8; 3],
-    pub(super) alpha: f64,
+pub(crate) struct Ink {
+    pub(crate) rgb: [u8; 3],
+    pub(crate) alpha: f64,
 }
 
 impl Ink {
-    pub(super) const fn new(rgb: [u8; 3]) -> Self {
+    pub(crate) const fn new(rgb: [u8; 3]) -> Self {
         Self { rgb, alpha: 1.0 }
     }
 
-    pub(super) const fn thin(self, alpha: f64) -> Self {
+    pub(crate) const fn thin(self, alpha: f64) -> Self {
         Self { alpha, ..self }
     }
 }
 
 /// Words.
-pub(super) const TEXT: Ink = Ink::new([0x26, 0x2b, 0x33]);
+pub(crate) const TEXT: Ink = Ink::new([0x26, 0x2b, 0x33]);
 /// Words that matter less.
-pub(super) const FAINT: Ink = Ink::new([0x5c, 0x66, 0x73]);
+pub(crate) const FAINT: Ink = Ink::new([0x5c, 0x66, 0x73]);
 /// Lines of a grid.
-pub(super) const GRID: Ink = Ink::new([0xe4, 0xe7, 0xeb]);
+pub(crate) const GRID: Ink = Ink::new([0xe4, 0xe7, 0xeb]);
 /// Axes.
-pub(super) const AXIS: Ink = Ink::new([0x8a, 0x93, 0x9e]);
-pub(super) const WHITE: Ink = Ink::new([0xff; 3]);
+pub(crate) const AXIS: Ink = Ink::new([0x8a, 0x93, 0x9e]);
+pub(crate) const WHITE: Ink = Ink::new([0xff; 3]);
 
 /// Where a word stands to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     Start,
     Middle,
     End,
@@ -40,15 +40,26 @@ pub(super) enum Anchor {
 
 /// One thing of a picture.
 #[derive(Clone, Debug)]
-pub(super) enum Shape {
-    /// Straight lines from point to point.
+pub(crate) enum Shape {
+    /// Straight lines from point to point, drawn with a pen.
     Line {
         points: Vec<[f64; 2]>,
         ink: Ink,
         width: f64,
+        /// Lengths of a dash and of the gap behind it, pixels; none: it is drawn through.
+        dash: Option<[f64; 2]>,
     },
-    /// What such lines enclose.
-    Area { points: Vec<[f64; 2]>, ink: Ink },
+    /// What closed outlines enclose, whichever way round they go; an outline inside another one is a hole.
+    Area { rings: Vec<Vec<[f64; 2]>>, ink: Ink },
+    /// Coloured cells in a rectangle, such as a relief or a map of heat.
+    Cells {
+        /// Left, top, right, bottom.
+        edges: [f64; 4],
+        /// How many there are in a row.
+        columns: u32,
+        /// Row by row from the upper left; nothing where the alpha is 0.
+        inks: Vec<Ink>,
+    },
     /// A disc with a rim of white.
     Disc {
         centre: [f64; 2],
@@ -56,38 +67,42 @@ pub(super) enum Shape {
         ink: Ink,
         rim: f64,
     },
-    /// A line of words; its base line goes through `at`.
-    Words {
-        at: [f64; 2],
-        text: String,
-        size: f64,
-        anchor: Anchor,
-        ink: Ink,
-        /// Whether it reads upwards.
-        upwards: bool,
-        /// Whether a rim of white keeps it apart from what is below.
-        halo: bool,
-    },
+    /// A line of words.
+    Words(Words),
+}
+
+/// A line of words; its base line goes through `at`.
+#[derive(Clone, Debug)]
+pub(crate) struct Words {
+    pub(crate) at: [f64; 2],
+    pub(crate) text: String,
+    pub(crate) size: f64,
+    pub(crate) anchor: Anchor,
+    pub(crate) ink: Ink,
+    /// Whether it reads upwards.
+    pub(crate) upwards: bool,
+    /// Whether a rim of white keeps it apart from what is below.
+    pub(crate) halo: bool,
 }
 
 /// A picture: its size, and its things from the lowest to the highest, on white.
 #[derive(Clone, Debug)]
-pub(super) struct Sheet {
-    pub(super) width: u32,
-    pub(super) height: u32,
-    pub(super) shapes: Vec<Shape>,
+pub(crate) struct Sheet {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) shapes: Vec<Shape>,
 }
 
 /// Size of words, pixels.
-pub(super) const SMALL: f64 = 14.0;
-pub(super) const NORMAL: f64 = 16.0;
+pub(crate) const SMALL: f64 = 14.0;
+pub(crate) const NORMAL: f64 = 16.0;
 const TITLE: f64 = 21.0;
 /// Room for the title and the line below it.
-pub(super) const HEAD: f64 = 74.0;
+pub(crate) const HEAD: f64 = 74.0;
 
 impl Sheet {
     /// A picture with a title, and a line that says what is seen.
-    pub(super) fn titled(width: u32, height: u32, title: &str, caption: &str) -> Self {
+    pub(crate) fn titled(width: u32, height: u32, title: &str, caption: &str) -> Self {
         let mut sheet = Self {
             width,
             height,
@@ -106,19 +121,38 @@ impl Sheet {
         sheet
     }
 
-    pub(super) fn line(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64) {
-        self.shapes.push(Shape::Line { points, ink, width });
+    pub(crate) fn line(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64) {
+        self.shapes.push(Shape::Line {
+            points,
+            ink,
+            width,
+            dash: None,
+        });
     }
 
-    pub(super) fn area(&mut self, points: Vec<[f64; 2]>, ink: Ink) {
-        self.shapes.push(Shape::Area { points, ink });
+    pub(crate) fn dashed(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64, dash: [f64; 2]) {
+        self.shapes.push(Shape::Line {
+            points,
+            ink,
+            width,
+            dash: Some(dash),
+        });
     }
 
-    pub(super) fn rectangle(&mut self, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2], ink: Ink) {
+    pub(crate) fn area(&mut self, points: Vec<[f64; 2]>, ink: Ink) {
+        self.areas(vec![points], ink);
+    }
+
+    /// What several outlines enclose; one inside another is a hole.
+    pub(crate) fn areas(&mut self, rings: Vec<Vec<[f64; 2]>>, ink: Ink) {
+        self.shapes.push(Shape::Area { rings, ink });
+    }
+
+    pub(crate) fn rectangle(&mut self, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2], ink: Ink) {
         self.area(vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]], ink);
     }
 
-    pub(super) fn disc(&mut self, centre: [f64; 2], radius: f64, ink: Ink, rim: f64) {
+    pub(crate) fn disc(&mut self, centre: [f64; 2], radius: f64, ink: Ink, rim: f64) {
         self.shapes.push(Shape::Disc {
             centre,
             radius,
@@ -127,7 +161,7 @@ impl Sheet {
         });
     }
 
-    pub(super) fn words(
+    pub(crate) fn words(
         &mut self,
         at: [f64; 2],
         text: impl Into<String>,
@@ -135,7 +169,7 @@ impl Sheet {
         anchor: Anchor,
         ink: Ink,
     ) {
-        self.shapes.push(Shape::Words {
+        self.shapes.push(Shape::Words(Words {
             at,
             text: text.into(),
             size,
@@ -143,11 +177,11 @@ impl Sheet {
             ink,
             upwards: false,
             halo: false,
-        });
+        }));
     }
 
-    pub(super) fn words_apart(&mut self, at: [f64; 2], text: &str, size: f64, anchor: Anchor) {
-        self.shapes.push(Shape::Words {
+    pub(crate) fn words_apart(&mut self, at: [f64; 2], text: &str, size: f64, anchor: Anchor) {
+        self.shapes.push(Shape::Words(Words {
             at,
             text: text.to_owned(),
             size,
@@ -155,11 +189,11 @@ impl Sheet {
             ink: TEXT,
             upwards: false,
             halo: true,
-        });
+        }));
     }
 
-    pub(super) fn words_upwards(&mut self, at: [f64; 2], text: &str, size: f64) {
-        self.shapes.push(Shape::Words {
+    pub(crate) fn words_upwards(&mut self, at: [f64; 2], text: &str, size: f64) {
+        self.shapes.push(Shape::Words(Words {
             at,
             text: text.to_owned(),
             size,
@@ -167,6 +201,6 @@ impl Sheet {
             ink: TEXT,
             upwards: true,
             halo: false,
-        });
+        }));
     }
 }

@@ -1,10 +1,11 @@
 //! A picture as SVG.
 
-use super::sheet::{Anchor, Ink, Shape, Sheet};
+use super::png;
+use super::sheet::{Anchor, Ink, Shape, Sheet, Words};
 use std::fmt::Write as _;
 
 /// The file's text.
-pub(super) fn svg(sheet: &Sheet) -> String {
+pub(crate) fn svg(sheet: &Sheet) -> String {
     let (width, height) = (sheet.width, sheet.height);
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -21,21 +22,45 @@ pub(super) fn svg(sheet: &Sheet) -> String {
 /// Appends one thing. Writing to a text cannot fail.
 fn draw(out: &mut String, shape: &Shape) {
     let _ = match shape {
-        Shape::Line { points, ink, width } => writeln!(
-            out,
-            "<path d=\"{}\" fill=\"none\" stroke=\"{}\"{} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
-            path(points),
-            colour(*ink),
-            opacity("stroke", *ink),
-            short(*width)
-        ),
-        Shape::Area { points, ink } => writeln!(
-            out,
-            "<path d=\"{}z\" fill=\"{}\"{}/>",
-            path(points),
-            colour(*ink),
-            opacity("fill", *ink)
-        ),
+        Shape::Line {
+            points,
+            ink,
+            width,
+            dash,
+        } => {
+            let dash = dash.map_or(String::new(), |[on, off]| {
+                format!(" stroke-dasharray=\"{} {}\"", short(on), short(off))
+            });
+            writeln!(
+                out,
+                "<path d=\"{}\" fill=\"none\" stroke=\"{}\"{} stroke-width=\"{}\"{dash} stroke-linejoin=\"round\"/>",
+                path(points),
+                colour(*ink),
+                opacity("stroke", *ink),
+                short(*width)
+            )
+        }
+        Shape::Area { rings, ink } => {
+            let rule = match rings.len() > 1 {
+                true => " fill-rule=\"evenodd\"",
+                false => "",
+            };
+            let _ = write!(out, "<path d=\"");
+            for ring in rings {
+                let _ = write!(out, "{}z", path(ring));
+            }
+            writeln!(
+                out,
+                "\" fill=\"{}\"{}{rule}/>",
+                colour(*ink),
+                opacity("fill", *ink)
+            )
+        }
+        Shape::Cells {
+            edges,
+            columns,
+            inks,
+        } => cells(out, *edges, *columns, inks),
         Shape::Disc {
             centre: [x, y],
             radius,
@@ -56,54 +81,96 @@ fn draw(out: &mut String, shape: &Shape) {
                 opacity("fill", *ink)
             )
         }
-        Shape::Words {
-            at: [x, y],
-            text,
-            size,
-            anchor,
-            ink,
-            upwards,
-            halo,
-        } => {
-            let anchor = match anchor {
-                Anchor::Start => "",
-                Anchor::Middle => " text-anchor=\"middle\"",
-                Anchor::End => " text-anchor=\"end\"",
-            };
-            let (x, y) = (short(*x), short(*y));
-            let turn = match upwards {
-                true => format!(" transform=\"rotate(-90 {x} {y})\""),
-                false => String::new(),
-            };
-            let rim = match halo {
-                true => {
-                    " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\""
-                }
-                false => "",
-            };
-            writeln!(
-                out,
-                "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}{rim}>{}</text>",
-                short(*size),
-                colour(*ink),
-                escaped(text)
-            )
-        }
+        Shape::Words(words) => letters(out, words),
     };
 }
 
+fn letters(out: &mut String, words: &Words) -> std::fmt::Result {
+    let anchor = match words.anchor {
+        Anchor::Start => "",
+        Anchor::Middle => " text-anchor=\"middle\"",
+        Anchor::End => " text-anchor=\"end\"",
+    };
+    let [x, y] = words.at.map(short);
+    let turn = match words.upwards {
+        true => format!(" transform=\"rotate(-90 {x} {y})\""),
+        false => String::new(),
+    };
+    let rim = match words.halo {
+        true => {
+            " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\""
+        }
+        false => "",
+    };
+    writeln!(
+        out,
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}{rim}>{}</text>",
+        short(words.size),
+        colour(words.ink),
+        escaped(&words.text)
+    )
+}
+
+/// Cells as a picture in the picture.
+fn cells(out: &mut String, edges: [f64; 4], columns: u32, inks: &[Ink]) -> std::fmt::Result {
+    let Some(png) = png::cells(columns, inks) else {
+        return Ok(());
+    };
+    let [left, top, right, bottom] = edges;
+    writeln!(
+        out,
+        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+         style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
+        short(left),
+        short(top),
+        short(right - left),
+        short(bottom - top),
+        base64(&png)
+    )
+}
+
+/// Bytes as letters, RFC 4648.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for place in 0..4 {
+            text.push(match place <= three.len() {
+                true => char::from(LETTERS[(bits >> (18 - 6 * place)) as usize % 64]),
+                false => '=',
+            });
+        }
+    }
+    text
+}
+
+/// A path: where it begins, then the steps from point to point, which take fewer letters.
 fn path(points: &[[f64; 2]]) -> String {
     let mut path = String::new();
-    for (at, [x, y]) in points.iter().enumerate() {
-        let letter = if at == 0 { 'M' } else { 'L' };
-        let _ = write!(path, "{letter}{} {}", short(*x), short(*y));
+    let mut last = [0.0; 2];
+    for (at, point) in points.iter().enumerate() {
+        // Steps between rounded places: nothing adds up.
+        let [x, y] = point.map(hundredths);
+        let [dx, dy] = [x - last[0], y - last[1]].map(|step| step / 100.0 + 0.0);
+        let (letter, gap) = (
+            if at == 0 { "M" } else { "l" },
+            if dy < 0.0 { "" } else { " " },
+        );
+        let _ = write!(path, "{letter}{dx}{gap}{dy}");
+        last = [x, y];
     }
     path
 }
 
+fn hundredths(number: f64) -> f64 {
+    (number * 100.0).round()
+}
+
 /// Hundredths of a pixel are enough.
 fn short(number: f64) -> f64 {
-    (number * 100.0).round() / 100.0 + 0.0
+    hundredths(number) / 100.0 + 0.0
 }
 
 fn colour(ink: Ink) -> String {
@@ -144,7 +211,22 @@ mod tests {
         sheet.line(vec![[1.0, 2.0], [1.0 / 3.0, -0.001]], TEXT.thin(0.5), 1.5);
         let text = svg(&sheet);
         assert!(text.contains(">a&lt;b &amp; \"c\" </text>"), "{text}");
-        assert!(text.contains("d=\"M1 2L0.33 0\""), "{text}");
+        assert!(text.contains("d=\"M1 2l-0.67-2\""), "{text}");
         assert!(text.contains("stroke-opacity=\"0.5\""), "{text}");
+    }
+
+    #[test]
+    fn bytes_become_the_letters_of_rfc_4648() {
+        for (bytes, letters) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), letters);
+        }
     }
 }
