@@ -125,18 +125,29 @@ impl<D: Domain> Engine<D> {
         if let Some(reason) = &self.stopped {
             return Some(Status::Stopped(reason.clone()));
         }
-        match self.pacer.gate(target, idle, self.settings.limits.wall) {
-            Gate::Go => {
-                self.now = target;
-                self.reached = Some(target);
-                None
+        loop {
+            match self.pacer.gate(target, idle, self.settings.limits.wall) {
+                Gate::Go => {
+                    self.come(target);
+                    return None;
+                }
+                Gate::Come(time) => {
+                    self.come(time);
+                    self.progress.set(time, self.stats.events);
+                }
+                Gate::Held => return Some(Status::Held),
+                Gate::Stop(reason) => {
+                    self.stopped = Some(reason.clone());
+                    return Some(Status::Stopped(reason));
+                }
+                Gate::WallTime => return Some(Status::WallTime),
             }
-            Gate::Stop(reason) => {
-                self.stopped = Some(reason.clone());
-                Some(Status::Stopped(reason))
-            }
-            Gate::WallTime => Some(Status::WallTime),
         }
+    }
+
+    fn come(&mut self, time: SimTime) {
+        self.now = time;
+        self.reached = Some(time);
     }
 
     /// Begins an instant: its first round follows.

@@ -349,6 +349,18 @@ impl<D: Domain> Engine<D> {
         self.pacer.set_clock(Box::new(clock));
     }
 
+    /// Whether [`run_until`](Self::run_until) returns [`Status::Held`] while the run is held, so that the
+    /// caller can look at it, and does not wait inside. Default: no.
+    pub fn hand_back_when_held(&mut self, hand_back: bool) {
+        self.pacer.set_hands_back(hand_back);
+    }
+
+    /// Waits on the engine's clock until the control is used, or for so long; returns at once if it was
+    /// used since [`run_until`](Self::run_until) returned [`Status::Held`].
+    pub fn wait_while_held(&mut self, at_most: std::time::Duration) {
+        self.pacer.wait_held(at_most);
+    }
+
     /// How late a paced run was.
     #[must_use]
     pub fn lateness(&self) -> &Lateness {

@@ -72,4 +72,9 @@ pub enum Status {
     Stopped(String),
     /// [`Limits::wall`] is used up. The run may go on if the limit is raised.
     WallTime,
+    /// The run is held ([`Control::pause`](crate::Control::pause)), and
+    /// [`Engine::hand_back_when_held`](super::Engine::hand_back_when_held) was asked for. The clock
+    /// stands at the last instant that has run, or where a step of simulated time ended. The same call
+    /// again goes on.
+    Held,
 }

@@ -1,5 +1,6 @@
 //! The handle by which other threads pace, pause, step and stop a run.
 
+use crate::SimTime;
 use std::{
     sync::{
         Condvar, Mutex, MutexGuard, PoisonError,
@@ -17,6 +18,7 @@ use std::{
 /// control.set_factor(Some(2.0))?; // two simulated seconds a second
 /// control.pause();
 /// control.step(1); // one instant, then it stands again
+/// control.step_by(100_000_000); // a tenth of a simulated second, then it stands again
 /// control.resume();
 /// control.stop("interrupted");
 /// assert!(control.set_factor(Some(0.0)).is_err());
@@ -37,7 +39,17 @@ pub(super) struct Wishes {
     pub(super) paused: bool,
     /// Instants that may be run while paused.
     pub(super) steps: u64,
+    /// Simulated time up to which instants may be run while paused.
+    pub(super) until: Option<SimTime>,
+    /// Nanoseconds to put on top of that, or of where the run stands.
+    pub(super) more_ns: u64,
     pub(super) stop: Option<String>,
+}
+
+impl Wishes {
+    fn forget_steps(&mut self) {
+        (self.steps, self.until, self.more_ns) = (0, None, 0);
+    }
 }
 
 /// A pace that cannot be kept.
@@ -70,7 +82,7 @@ impl Control {
     pub fn pause(&self) {
         self.change(|wishes| {
             wishes.paused = true;
-            wishes.steps = 0;
+            wishes.forget_steps();
         });
     }
 
@@ -78,7 +90,7 @@ impl Control {
     pub fn resume(&self) {
         self.change(|wishes| {
             wishes.paused = false;
-            wishes.steps = 0;
+            wishes.forget_steps();
         });
     }
 
@@ -86,7 +98,30 @@ impl Control {
     pub fn step(&self, instants: u64) {
         self.change(|wishes| {
             wishes.paused = true;
-            wishes.steps = wishes.steps.saturating_add(instants);
+            let steps = wishes.steps.saturating_add(instants);
+            wishes.forget_steps();
+            wishes.steps = steps;
+        });
+    }
+
+    /// Runs on to this simulated time, at once, all instants up to and including it, and holds the run
+    /// there, also if nothing happens at that time; pauses a run that is not held. A time that is over
+    /// only pauses. Takes the place of steps that are still to be run.
+    pub fn step_to(&self, time: SimTime) {
+        self.change(|wishes| {
+            wishes.paused = true;
+            wishes.forget_steps();
+            wishes.until = Some(time);
+        });
+    }
+
+    /// The same for a span of simulated time, from where the run stands, or from where it is going to
+    /// stand: twice 0.1 s is 0.2 s, however fast one comes after the other.
+    pub fn step_by(&self, nanos: u64) {
+        self.change(|wishes| {
+            wishes.paused = true;
+            wishes.steps = 0;
+            wishes.more_ns = wishes.more_ns.saturating_add(nanos);
         });
     }
 

@@ -8,7 +8,9 @@
 //!
 //! A [`Control`] is shared with other threads: a viewer's buttons, a signal handler. Pausing, stepping
 //! and changing the factor move the reference between simulated time and wall time, so a run goes on
-//! after a pause as it went before, and does not race after the time it stood still.
+//! after a pause as it went before, and does not race after the time it stood still. A held run stands
+//! inside [`Engine::run_until`](crate::Engine::run_until), or is handed back to whoever wants to look at
+//! it meanwhile ([`Engine::hand_back_when_held`](crate::Engine::hand_back_when_held)).
 //!
 //! All of this happens between instants, and none of it can be seen from inside the run.
 

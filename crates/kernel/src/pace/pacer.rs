@@ -15,8 +15,24 @@ const WALL_EVERY: u32 = 16;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Gate {
     Go,
+    /// Time may come to here, which is earlier; then ask again.
+    Come(SimTime),
+    /// It is held, and whoever runs it wants to know.
+    Held,
     Stop(String),
     WallTime,
+}
+
+/// What a held run may do.
+enum Step {
+    /// Run the instant.
+    Go,
+    /// Let time pass up to here, where a step of simulated time ends.
+    Come(SimTime),
+    /// Look anew: the wishes have changed.
+    Again,
+    /// Stand.
+    Stand,
 }
 
 /// Holds each instant until its time has come.
@@ -30,6 +46,10 @@ pub(crate) struct Pacer {
     anchor: Option<Anchor>,
     /// The last instant let through.
     last: SimTime,
+    /// Simulated time at which a pause or a change of pace began, if one did.
+    held_at: Option<SimTime>,
+    /// Whether a held run is handed back, and not waited for here.
+    hands_back: bool,
     lateness: Lateness,
     /// When the first instant asked to be let through.
     started: Option<Duration>,
@@ -66,6 +86,8 @@ impl Default for Pacer {
             seen: Wishes::default(),
             anchor: None,
             last: SimTime::ZERO,
+            held_at: None,
+            hands_back: false,
             lateness: Lateness::default(),
             started: None,
             until_wall_check: 0,
@@ -88,6 +110,16 @@ impl Pacer {
         self.anchor = None;
         self.started = None;
         self.until_wall_check = 0;
+    }
+
+    pub(crate) fn set_hands_back(&mut self, hands_back: bool) {
+        self.hands_back = hands_back;
+    }
+
+    /// Waits until the control is used after it was last looked at, or the time is over.
+    pub(crate) fn wait_held(&mut self, at_most: Duration) {
+        self.until_wall_check = 0;
+        self.wait(Some(at_most));
     }
 
     pub(crate) fn lateness(&self) -> &Lateness {
@@ -130,8 +162,6 @@ impl Pacer {
     }
 
     fn hold(&mut self, next: SimTime, idle: bool) -> Gate {
-        // Simulated time at which a pause or a change of pace began, if one did.
-        let mut held_at = None;
         loop {
             self.version = self.control.version();
             self.seen = self.control.wishes().clone();
@@ -140,32 +170,36 @@ impl Pacer {
             }
 
             let pace_changed = self.anchor.map(|anchor| anchor.factor) != self.seen.factor;
-            if pace_changed || self.seen.paused {
+            if self.held_at.is_none() && (pace_changed || self.seen.paused) {
                 // What the wall clock says now, between the last instant and this one. A run that was
                 // late begins anew here: it has nothing to catch up with.
-                held_at.get_or_insert_with(|| match self.anchor {
+                self.held_at = Some(match self.anchor {
                     Some(anchor) => anchor.sim_at(self.clock.now()).clamp(self.last, next),
                     None => self.last,
                 });
             }
             if self.seen.paused {
                 self.anchor = None;
-                if self.take_step(idle) {
-                    self.last = next;
-                    return Gate::Go;
+                match self.take_step(next, idle) {
+                    Step::Go => return self.go(next),
+                    Step::Come(time) => {
+                        self.go(time);
+                        return Gate::Come(time);
+                    }
+                    Step::Again => {}
+                    Step::Stand if self.hands_back => return Gate::Held,
+                    Step::Stand => self.wait(None),
                 }
-                self.wait(None);
                 continue;
             }
             let Some(factor) = self.seen.factor else {
                 self.anchor = None;
-                self.last = next;
-                return Gate::Go;
+                return self.go(next);
             };
             let now = self.clock.now();
-            if let Some(sim) = held_at.take() {
+            if let Some(sim) = self.held_at.take() {
                 self.anchor = Some(Anchor {
-                    sim,
+                    sim: sim.min(next),
                     wall: now,
                     factor,
                 });
@@ -178,20 +212,44 @@ impl Pacer {
             let target = anchor.wall_at(next);
             if now >= target {
                 self.lateness.add(now - target);
-                self.last = next;
-                return Gate::Go;
+                return self.go(next);
             }
             self.wait(Some(target - now));
         }
     }
 
-    fn take_step(&mut self, idle: bool) -> bool {
+    /// Lets the run come to a time.
+    fn go(&mut self, time: SimTime) -> Gate {
+        self.last = time;
+        self.held_at = None;
+        Gate::Go
+    }
+
+    fn take_step(&mut self, next: SimTime, idle: bool) -> Step {
         let mut wishes = self.control.wishes();
-        let granted = wishes.paused && wishes.steps > 0;
-        if granted && !idle {
-            wishes.steps -= 1;
+        if !wishes.paused {
+            return Step::Again;
         }
-        granted
+        if wishes.steps > 0 {
+            wishes.steps -= u64::from(!idle);
+            return Step::Go;
+        }
+        let more_ns = std::mem::take(&mut wishes.more_ns);
+        if more_ns > 0 {
+            let from = wishes.until.unwrap_or(self.last).max(self.last);
+            wishes.until = Some(from.saturating_add_nanos(more_ns));
+        }
+        match wishes.until {
+            None => Step::Stand,
+            Some(until) if next <= until => Step::Go,
+            Some(until) => {
+                wishes.until = None;
+                match until > self.last {
+                    true => Step::Come(until),
+                    false => Step::Again,
+                }
+            }
+        }
     }
 
     fn wait(&mut self, at_most: Option<Duration>) {

@@ -3,9 +3,12 @@
 use crate::script::{Script, act, engine, every};
 use simbeeotic_kernel::{
     Engine, Limits, Settings, SimTime, Status,
-    pace::{Clock, FakeClock},
+    pace::{Clock, Control, FakeClock},
 };
-use std::time::Duration;
+use std::{
+    sync::{Arc, Mutex},
+    time::Duration,
+};
 
 const fn ms(millis: u64) -> SimTime {
     SimTime::from_millis(millis)
@@ -174,6 +177,131 @@ fn after_steps_a_run_goes_on_at_its_pace() {
     engine.run_until(ms(600)).unwrap();
     // Instants 0 to 400 ms at once; 500 and 600 by the clock.
     assert_eq!(clock.now(), wall(1_200));
+}
+
+#[test]
+fn a_step_of_time_runs_what_is_due_and_stands_where_it_ends() {
+    let (mut engine, clock) = paced(None);
+    let control = engine.control();
+    let (progress, seen) = (engine.progress(), Arc::new(Mutex::new(Vec::new())));
+    let look = |then: fn(&Control)| {
+        let (progress, seen) = (Arc::clone(&progress), Arc::clone(&seen));
+        move |control: &Control| {
+            let at = (progress.now(), progress.events());
+            seen.lock().unwrap().push(at);
+            then(control);
+        }
+    };
+    control.step_to(ms(0));
+    clock.at(wall(10), look(|control| control.step_by(50_000_000)));
+    clock.at(wall(20), look(|control| control.step_by(50_000_000)));
+    clock.at(wall(30), look(|control| control.step_to(ms(350))));
+    // Over: it only stands.
+    clock.at(wall(40), look(|control| control.step_to(ms(20))));
+    clock.at(wall(50), look(|control| control.step(1)));
+    clock.at(wall(60), look(|control| control.stop("seen")));
+    assert_eq!(
+        engine.run_until(ms(1000)),
+        Ok(Status::Stopped("seen".into()))
+    );
+    let expected = [(0, 1), (50, 1), (100, 2), (350, 4), (350, 4), (400, 5)];
+    assert_eq!(
+        *seen.lock().unwrap(),
+        expected.map(|(at, events)| (ms(at), events))
+    );
+}
+
+#[test]
+fn two_short_steps_of_time_are_a_long_one() {
+    let (mut engine, clock) = paced(None);
+    engine.hand_back_when_held(true);
+    let control = engine.control();
+    control.step_by(70_000_000);
+    control.step_by(80_000_000);
+    assert_eq!(engine.run_until(ms(1000)), Ok(Status::Held));
+    assert_eq!((engine.now(), engine.stats().instants), (ms(150), 2));
+    // An instant asked for is one instant, whatever was left of other steps.
+    control.step_by(500_000_000);
+    control.step(1);
+    assert_eq!(engine.run_until(ms(1000)), Ok(Status::Held));
+    assert_eq!((engine.now(), engine.stats().instants), (ms(200), 3));
+    assert_eq!(clock.now(), Duration::ZERO);
+}
+
+#[test]
+fn a_held_run_is_handed_back_if_asked_for() {
+    let (mut engine, clock) = paced(Some(1.0));
+    engine.hand_back_when_held(true);
+    let control = engine.control();
+    control.pause();
+    // Before the first instant, as often as one likes.
+    for _ in 0..3 {
+        assert_eq!(engine.run_until(ms(0)), Ok(Status::Held));
+        assert_eq!((engine.now(), engine.stats().instants), (ms(0), 0));
+    }
+    control.resume();
+    clock.at(wall(250), |control| control.pause());
+    assert_eq!(engine.run_until(ms(1000)), Ok(Status::Held));
+    assert_eq!((engine.now(), clock.now()), (ms(200), wall(250)));
+
+    // It waits outside, by the same clock, and until the control is used.
+    engine.wait_while_held(wall(50));
+    assert_eq!(clock.now(), wall(300));
+    assert_eq!(engine.run_until(ms(1000)), Ok(Status::Held));
+    clock.at(wall(310), |control| control.resume());
+    engine.wait_while_held(wall(50));
+    assert_eq!(clock.now(), wall(310));
+
+    // Fifty milliseconds were left of the way to the next instant.
+    assert_eq!(engine.run_until(ms(300)), Ok(Status::Reached));
+    assert_eq!((clock.now(), engine.lateness().late), (wall(360), 0));
+    control.pause();
+    control.stop("enough");
+    let stopped = Ok(Status::Stopped("enough".into()));
+    assert_eq!(engine.run_until(ms(1000)), stopped);
+}
+
+#[test]
+fn wall_time_runs_out_while_a_run_is_held() {
+    let (mut engine, _) = paced(None);
+    engine.hand_back_when_held(true);
+    engine.limits_mut().wall = Some(wall(200));
+    engine.control().pause();
+    for _ in 0..4 {
+        assert_eq!(engine.run_until(ms(0)), Ok(Status::Held));
+        engine.wait_while_held(wall(50));
+    }
+    assert_eq!(engine.run_until(ms(0)), Ok(Status::WallTime));
+}
+
+#[test]
+fn a_run_in_steps_is_the_same_run() {
+    let hash = |drive: &dyn Fn(&mut Engine<Script>)| {
+        let agents = (1..=5).map(|n| (Some(n), every(7 * n))).collect();
+        let mut engine = engine(Script::default(), agents, Settings::default());
+        engine.hand_back_when_held(true);
+        drive(&mut engine);
+        assert_eq!(engine.now(), ms(1000));
+        (engine.trace().total(), engine.stats().instants)
+    };
+    let whole = hash(&|engine| _ = engine.run_until(ms(1000)).unwrap());
+    let stepped = hash(&|engine| {
+        engine.control().pause();
+        for round in 0.. {
+            match engine.run_until(ms(1000)).unwrap() {
+                Status::Held if round % 3 == 0 => engine.control().step(2),
+                Status::Held => engine.control().step_by(13_000_000),
+                _ => break,
+            }
+        }
+    });
+    assert_eq!(whole, stepped);
+    let shorter = hash(&|engine| {
+        _ = engine.run_until(ms(900)).unwrap();
+        engine.control().step_to(ms(1000));
+        _ = engine.run_until(ms(2000)).unwrap();
+    });
+    assert_eq!(whole, shorter);
 }
 
 #[test]
