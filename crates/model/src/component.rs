@@ -17,14 +17,15 @@ pub trait Component: Send {
     fn period(&self) -> Option<Time>;
 
     /// Whether it looks at what the sensor of this path (`bee-17/imu`) measures, as
-    /// [`Mark::Sensed`](crate::Mark): nothing is noted for nobody. Asked before the first event, and when
-    /// its [`interest`](Self::interest) changes.
+    /// [`Mark::Sensed`](crate::Mark): nothing is noted for nobody, and what is noted for one component
+    /// is seen by all. Asked before the first event, and when its [`interest`](Self::interest) changes.
     fn wants_reading(&self, _sensor: &str) -> bool {
         false
     }
 
     /// Whether it looks at the frames that the radio of this path (`bee-17/radio`) sends, as
-    /// [`Mark::OnAir`](crate::Mark) and [`Mark::Heard`](crate::Mark): nothing is noted for nobody. Asked
+    /// [`Mark::OnAir`](crate::Mark) and [`Mark::Heard`](crate::Mark): nothing is noted for nobody, and
+    /// what is noted for one component is seen by all. Asked
     /// before the first event, and when its [`interest`](Self::interest) changes; `among` is the number
     /// of all radios of the run.
     fn wants_packets(&self, _radio: &str, _among: usize) -> bool {
@@ -32,8 +33,10 @@ pub trait Component: Send {
     }
 
     /// A number that changes whenever [`wants_reading`](Self::wants_reading) or
-    /// [`wants_packets`](Self::wants_packets) would answer differently. Looked at after each
-    /// observation; the run then asks both anew.
+    /// [`wants_packets`](Self::wants_packets) would answer differently. Looked at after the start, each
+    /// observation and each look at a [held](Self::held) run; the run then asks both anew. A frame whose
+    /// sender was chosen while it was on the air may be [heard](crate::Mark::Heard) without having
+    /// [begun](crate::Mark::OnAir), and the other way round.
     fn interest(&self) -> u64 {
         0
     }
@@ -43,7 +46,8 @@ pub trait Component: Send {
     fn attach(&mut self, _control: &Arc<Control>, _progress: &Arc<Progress>) {}
 
     /// Called while the run is held: at once when it comes to stand, after each step, and then some
-    /// twenty times a second of wall time. What it sees is the last instant that has run.
+    /// twenty times a second of wall time. What it sees is the last instant that has run, or where a
+    /// step of simulated time ended; before the first event, the swarm as it was put there.
     ///
     /// # Errors
     /// The run ends.

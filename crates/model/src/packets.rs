@@ -3,6 +3,7 @@
 //! Nothing is noted unless a component asks for it
 //! ([`Component::wants_packets`](crate::Component::wants_packets)), and nothing of it reaches the trace.
 
+use crate::component::Component;
 use crate::population::Population;
 use crate::swarm::{Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
@@ -10,8 +11,8 @@ use simbeeotic_radio::{Channel, Counters, Frame, Inbox, Medium, RadioId, RadioSt
 use simbeeotic_units::{Decibels, Position, PowerLevel};
 use std::collections::BTreeMap;
 
-/// Who could listen is noted for at most this many watched radios: for more it would be more than all
-/// else.
+/// Who could listen is noted for a component that watches at most this many radios: for more it would
+/// be more than all else.
 pub const LINKED_RADIOS_MAX: usize = 256;
 
 /// Frames that began at one instant, and who could listen to them.
@@ -19,8 +20,8 @@ pub const LINKED_RADIOS_MAX: usize = 256;
 pub struct OnAir {
     /// The frames, those of watched radios only.
     pub frames: Vec<Transmission>,
-    /// All watched radios that are awake, by id: where they are, and what they are tuned to. Empty if
-    /// more than [`LINKED_RADIOS_MAX`] are watched.
+    /// Radios that are awake, by id: where they are, and what they are tuned to. All those that are
+    /// watched by a component which watches at most [`LINKED_RADIOS_MAX`].
     pub listeners: Vec<Listener>,
 }
 
@@ -51,6 +52,8 @@ pub struct Listener {
 pub struct Reception {
     /// The frame's identity ([`Frame::key`]).
     pub frame: u64,
+    /// Who sent it.
+    pub sender: RadioId,
     /// Who received it.
     pub radio: RadioId,
     /// Received signal strength.
@@ -66,8 +69,8 @@ pub struct Reception {
 pub(crate) struct PacketWatch {
     /// By id: whether this radio is one.
     watched: Vec<bool>,
-    /// The ids of those.
-    radios: Vec<RadioId>,
+    /// Those of which it is noted whether they could listen.
+    listeners: Vec<RadioId>,
 }
 
 /// The path of each radio, by id: its owner's, and its name there.
@@ -96,15 +99,28 @@ fn owner_path(population: &Population, owner: ModelId) -> &str {
 }
 
 impl PacketWatch {
-    /// The radios that are wanted, by their paths.
-    pub(crate) fn choose(swarm: &Swarm, wants: impl Fn(&str, usize) -> bool) -> Option<Box<Self>> {
+    /// The radios that one of the components wants; who could listen is noted for those among the
+    /// radios of a component that wants few. So what one component sees does not hang on how many
+    /// another one wants.
+    fn choose(swarm: &Swarm, components: &[&dyn Component]) -> Option<Box<Self>> {
+        if components.is_empty() {
+            return None;
+        }
         let paths = radio_paths(swarm);
-        let watched: Vec<bool> = paths.iter().map(|path| wants(path, paths.len())).collect();
-        let radios: Vec<RadioId> = (0..watched.len() as u32)
-            .map(RadioId)
-            .filter(|radio| watched[radio.index()])
-            .collect();
-        (!radios.is_empty()).then(|| Box::new(Self { watched, radios }))
+        let mut watched = vec![false; paths.len()];
+        let mut linked = vec![false; paths.len()];
+        for component in components {
+            let wants = |path: &String| component.wants_packets(path, paths.len());
+            let wanted: Vec<usize> = (0..paths.len()).filter(|at| wants(&paths[*at])).collect();
+            for at in &wanted {
+                watched[*at] = true;
+                linked[*at] |= wanted.len() <= LINKED_RADIOS_MAX;
+            }
+        }
+        let radios = (0..linked.len() as u32).map(RadioId);
+        let listeners = radios.filter(|radio| linked[radio.index()]).collect();
+        let any = watched.contains(&true);
+        any.then(|| Box::new(Self { watched, listeners }))
     }
 
     fn watches(&self, radio: RadioId) -> bool {
@@ -131,8 +147,7 @@ impl PacketWatch {
         if frames.is_empty() {
             return None;
         }
-        let few = self.radios.len() <= LINKED_RADIOS_MAX;
-        let awake = self.radios.iter().copied().filter(|_| few);
+        let awake = self.listeners.iter().copied();
         let awake = awake.filter(|radio| medium.state(*radio, now) != RadioState::Sleep);
         let listeners = awake.map(|radio| {
             let spec = medium.spec(radio);
@@ -156,6 +171,7 @@ impl PacketWatch {
         packets
             .map(|packet| Reception {
                 frame: packet.frame().key(),
+                sender: packet.frame().radio(),
                 radio: inbox.radio(),
                 rssi: packet.rssi(),
                 snr: packet.snr(),
@@ -166,9 +182,9 @@ impl PacketWatch {
 }
 
 impl Swarm {
-    /// Notes which radios' frames are kept, by their paths and the number of all radios.
-    pub(crate) fn choose_packets(&mut self, wants: impl Fn(&str, usize) -> bool) {
-        self.packet_watch = PacketWatch::choose(self, wants);
+    /// Notes which radios' frames are kept: those that one of the components wants.
+    pub(crate) fn choose_packets(&mut self, components: &[&dyn Component]) {
+        self.packet_watch = PacketWatch::choose(self, components);
     }
 
     /// What became of all frames, or of those of one radio.

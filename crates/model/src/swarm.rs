@@ -8,6 +8,7 @@
 //! 3. *commit*: what they did is applied in the order of their ids;
 //! 4. *close*: contacts of the bodies that changed are predicted anew.
 
+use crate::component::Component;
 use crate::energy::{Accounts, BatteryState, Books, Consumer, Drawn, Onboard};
 use crate::fold;
 use crate::host::Cx;
@@ -357,15 +358,19 @@ impl Swarm {
         (totals.sent, totals.received)
     }
 
-    /// Notes which sensors' measurements are kept, by their paths.
-    pub(crate) fn choose_readings(&mut self, wants: impl Fn(&str) -> bool) {
+    /// Notes which sensors' measurements are kept: those that one of the components wants.
+    pub(crate) fn choose_readings(&mut self, components: &[&dyn Component]) {
+        let wants = |sensor: &str| components.iter().any(|c| c.wants_reading(sensor));
         let watched = self.gear.iter().enumerate().map(|(model, gear)| {
             let path = self.population.path(ModelId(model as u32));
             let sensors = gear.sensors.iter().enumerate();
             let wanted = sensors.filter(|(_, s)| wants(&format!("{path}/{}", s.name)));
             wanted.fold(0, |bits, (at, _)| bits | 1 << at.min(63))
         });
-        let watched: Vec<u64> = watched.collect();
+        let watched: Vec<u64> = match components {
+            [] => Vec::new(),
+            _ => watched.collect(),
+        };
         let any = watched.iter().any(|bits| *bits != 0);
         self.watched = if any { watched } else { Vec::new() };
     }

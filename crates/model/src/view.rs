@@ -15,6 +15,7 @@ use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Position, Rate, Twist, Velocity, glam,
 };
 use simbeeotic_world::{Color, GasField, World};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The truth about a platform and its surroundings, from which a sensor makes a reading.
 pub struct Truth<'a> {
@@ -231,6 +232,8 @@ pub struct View<'a> {
     pub(crate) swarm: &'a Swarm,
     pub(crate) agents: &'a [Agent],
     pub(crate) marks: &'a [Mark],
+    /// Whether somebody has looked at them.
+    pub(crate) shown: &'a AtomicBool,
     pub(crate) origin: &'a Origin,
 }
 
@@ -337,8 +340,10 @@ impl<'a> View<'a> {
     }
 
     /// What happened since the last observation of this component's clock: touches, log lines,
-    /// metrics, in order.
+    /// metrics, in order. What a component looks at while the run is [held](crate::Component::held) is
+    /// not shown to it again; what it does not look at then is there at its next observation.
     pub fn marks(&self) -> &'a [Mark] {
+        self.shown.store(true, Ordering::Relaxed);
         self.marks
     }
 

@@ -34,6 +34,8 @@ pub(crate) struct Air {
     open: Vec<Open>,
     /// Where each stands in `open`, by the frame's key.
     places: BTreeMap<u64, usize>,
+    /// By id: whether the radio's packets are recorded. Other components may have asked for more.
+    wanted: Vec<bool>,
     links: Pairs,
     /// Receptions of packets that were closed already.
     late: u64,
@@ -68,10 +70,12 @@ impl Air {
         let path = |id: &RadioId| paths[id.index()].as_str();
         let counted = ids().filter(|id| radios.iter().any(|pattern| selects(pattern, path(id))));
         let counted = counted.map(|id| (id, Counters::default())).collect();
-        let watched: Vec<RadioId> = ids()
-            .filter(|id| wants(packets, path(id), paths.len()))
+        let wanted: Vec<bool> = ids()
+            .map(|id| wants(packets, path(&id), paths.len()))
             .collect();
+        let watched: Vec<RadioId> = ids().filter(|id| wanted[id.index()]).collect();
         Ok(Some(Self {
+            wanted,
             links: Pairs::new(&watched, paths.len()),
             counted,
             all: Counters::default(),
@@ -86,14 +90,21 @@ impl Air {
     /// Takes the frames that began.
     pub(crate) fn begun(&mut self, view: &View<'_>, air: &OnAir) {
         for sent in &air.frames {
+            if !self.wants(sent.frame.radio()) {
+                continue;
+            }
             let packet = self.packet(view, sent);
             let radio = sent.frame.radio();
             let to = sent.frame.destination();
             let hears = air.listeners.iter().filter(|listener| {
                 let for_it = |to| view.radio_owner(listener.radio) == Some(to);
-                listener.radio != radio && listener.channel == sent.channel && to.is_none_or(for_it)
+                self.wants(listener.radio)
+                    && listener.radio != radio
+                    && listener.channel == sent.channel
+                    && to.is_none_or(for_it)
             });
             let listeners = hears.map(|l| (l.radio, distance_m(l.position, sent.position)));
+            let listeners = listeners.collect();
             self.places.insert(sent.frame.key(), self.open.len());
             self.open.push(Open {
                 key: sent.frame.key(),
@@ -101,7 +112,7 @@ impl Air {
                 radio,
                 packet,
                 receivers: Vec::new(),
-                listeners: listeners.collect(),
+                listeners,
             });
         }
     }
@@ -125,6 +136,10 @@ impl Air {
         }
     }
 
+    fn wants(&self, radio: RadioId) -> bool {
+        self.wanted.get(radio.index()).copied().unwrap_or(false)
+    }
+
     fn path(&self, radio: RadioId) -> String {
         self.paths.get(radio.index()).cloned().unwrap_or_default()
     }
@@ -132,6 +147,9 @@ impl Air {
     /// Takes what a radio received at a time.
     pub(crate) fn heard(&mut self, time_ns: u64, receptions: &[Reception]) {
         for reception in receptions {
+            if !self.wants(reception.sender) {
+                continue;
+            }
             let Some(&place) = self.places.get(&reception.frame) else {
                 self.late += 1;
                 continue;

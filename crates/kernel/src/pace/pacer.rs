@@ -119,7 +119,9 @@ impl Pacer {
     /// Waits until the control is used after it was last looked at, or the time is over.
     pub(crate) fn wait_held(&mut self, at_most: Duration) {
         self.until_wall_check = 0;
-        self.wait(Some(at_most));
+        if *self.control.wishes() == self.seen {
+            self.wait(Some(at_most));
+        }
     }
 
     pub(crate) fn lateness(&self) -> &Lateness {

@@ -9,15 +9,15 @@ use crate::summary::{Batteries, ChargeLine, Lateness, Packets, Summary, TimeShar
 use crate::swarm::{Mark, Swarm, wake};
 use crate::view::{Origin, View};
 use crate::watch;
-use simbeeotic_kernel::pace::Control;
+use simbeeotic_kernel::pace::{Clock, Control};
 use simbeeotic_kernel::{
     Engine, ModelId, Progress, RunError, Settings, SimTime, Status, TraceLog, Wake,
 };
 use simbeeotic_radio::Loss;
 use simbeeotic_units::{Pose, Twist};
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// A run, ready to start.
 pub struct Simulation {
@@ -34,7 +34,12 @@ struct Observer {
     clock: Option<SimTime>,
     /// Marks that it has seen.
     seen: usize,
+    /// Its [`Component::interest`] when it was last asked what it wants.
+    interest: u64,
 }
+
+/// Wall time between two looks of the components at a held run.
+const HELD_EVERY: Duration = Duration::from_millis(50);
 
 /// How a run ended.
 #[derive(Debug)]
@@ -96,22 +101,15 @@ impl Simulation {
             })
             .collect::<Vec<_>>();
         engine.domain_mut().keep_marks = !observers.is_empty();
-        if !observers.is_empty() {
-            let wants = |sensor: &str| observers.iter().any(|o| o.component.wants_reading(sensor));
-            engine.domain_mut().choose_readings(wants);
-            let wants = |radio: &str, among| {
-                let mut components = observers.iter().map(|o| &o.component);
-                components.any(|component| component.wants_packets(radio, among))
-            };
-            engine.domain_mut().choose_packets(wants);
-        }
-        let init_s = started.elapsed().as_secs_f64();
-        Ok(Self {
+        let mut simulation = Self {
             engine,
             origin: setup.origin,
             observers,
-            init_s,
-        })
+            init_s: 0.0,
+        };
+        simulation.choose_marks();
+        simulation.init_s = started.elapsed().as_secs_f64();
+        Ok(simulation)
     }
 
     /// Adds seconds spent before [`Simulation::new`] to what the summary calls `init`.
@@ -127,6 +125,12 @@ impl Simulation {
     /// Pace, pause, step and stop, for another thread.
     pub fn control(&self) -> Arc<Control> {
         self.engine.control()
+    }
+
+    /// Paces by another clock than the wall's: in tests, a
+    /// [`FakeClock`](simbeeotic_kernel::pace::FakeClock).
+    pub fn set_clock(&mut self, clock: impl Clock + 'static) {
+        self.engine.set_clock(clock);
     }
 
     /// When the run ends by itself.
@@ -221,10 +225,14 @@ impl Simulation {
 
     /// Runs from observation to observation; says why it ended well.
     fn watched(&mut self) -> Result<String, SimulationError> {
+        // A run that nobody watches waits where it is held.
+        self.engine.hand_back_when_held(!self.observers.is_empty());
         for at in 0..self.observers.len() {
-            let view = view(&self.engine, &self.origin, SimTime::ZERO, &[]);
+            let shown = AtomicBool::new(false);
+            let view = view(&self.engine, &self.origin, SimTime::ZERO, &[], &shown);
             self.observers[at].component.start(&view)?;
         }
+        self.choose_if_changed();
         loop {
             let next = self.observers.iter().filter_map(|o| o.clock).min();
             let target = next.unwrap_or(SimTime::MAX).min(self.end());
@@ -232,6 +240,11 @@ impl Simulation {
             match status {
                 Status::Stopped(reason) => return Ok(reason),
                 Status::WallTime => return Ok("wall time".to_owned()),
+                Status::Held => {
+                    self.show_held()?;
+                    self.engine.wait_while_held(HELD_EVERY);
+                    continue;
+                }
                 Status::Exhausted if self.end() == SimTime::MAX => {
                     return Ok("nothing left to do".to_owned());
                 }
@@ -250,16 +263,55 @@ impl Simulation {
         let marks = &engine.domain().marks;
         for observer in &mut self.observers {
             if observer.clock == Some(now) {
-                observer
-                    .component
-                    .observe(&view(engine, origin, now, &marks[observer.seen..]))?;
+                let shown = AtomicBool::new(false);
+                let view = view(engine, origin, now, &marks[observer.seen..], &shown);
+                observer.component.observe(&view)?;
                 observer.seen = marks.len();
                 let next = observer.component.next_observation(now);
                 observer.clock = next.filter(|next| *next > now);
             }
         }
+        self.choose_if_changed();
         self.forget_marks();
         Ok(())
+    }
+
+    /// Shows the components a run that stands. Marks that one of them looks at are not shown to it
+    /// again; those that it leaves are there at its next observation.
+    fn show_held(&mut self) -> Result<(), ComponentError> {
+        let (engine, origin) = (&self.engine, &self.origin);
+        let marks = &engine.domain().marks;
+        for observer in &mut self.observers {
+            let shown = AtomicBool::new(false);
+            let new = &marks[observer.seen..];
+            let view = view(engine, origin, engine.now(), new, &shown);
+            observer.component.held(&view)?;
+            if shown.into_inner() {
+                observer.seen = marks.len();
+            }
+        }
+        self.choose_if_changed();
+        Ok(())
+    }
+
+    /// Asks the components anew what they want to be noted, if one has changed its mind.
+    fn choose_if_changed(&mut self) {
+        let changed = |o: &Observer| o.component.interest() != o.interest;
+        if self.observers.iter().any(changed) {
+            self.choose_marks();
+        }
+    }
+
+    /// Asks the components whose readings and packets they want to be noted.
+    fn choose_marks(&mut self) {
+        for observer in &mut self.observers {
+            observer.interest = observer.component.interest();
+        }
+        let components = self.observers.iter().map(|o| &*o.component);
+        let components: Vec<&dyn Component> = components.collect();
+        let swarm = self.engine.domain_mut();
+        swarm.choose_readings(&components);
+        swarm.choose_packets(&components);
     }
 
     /// Drops the marks that every component has seen.
@@ -296,7 +348,9 @@ impl Simulation {
         let mut notes = Vec::new();
         let mut failed = None;
         for observer in &mut self.observers {
-            let view = view(engine, origin, engine.now(), &marks[observer.seen..]);
+            let shown = AtomicBool::new(false);
+            let new = &marks[observer.seen..];
+            let view = view(engine, origin, engine.now(), new, &shown);
             match observer.component.finish(&view, summary) {
                 Ok(lines) => notes.extend(lines),
                 Err(error) => {
@@ -414,6 +468,7 @@ impl Observer {
             component,
             clock,
             seen: 0,
+            interest: 0,
         }
     }
 }
@@ -423,12 +478,14 @@ fn view<'a>(
     origin: &'a Origin,
     now: SimTime,
     marks: &'a [Mark],
+    shown: &'a AtomicBool,
 ) -> View<'a> {
     View {
         now,
         swarm: engine.domain(),
         agents: engine.agents(),
         marks,
+        shown,
         origin,
     }
 }

@@ -7,6 +7,7 @@ mod chance;
 mod commands;
 mod determinism;
 mod golden;
+mod held;
 mod layers;
 mod operator;
 mod plot;
