@@ -58,7 +58,8 @@ pub fn check(solid: &Solid) -> Result<(), BodyError> {
     Physics::new(Config::default()).add(body).map(drop)
 }
 
-fn shape(solid: &Solid) -> Shape {
+/// The shape that physics gives a solid of the world.
+pub fn shape(solid: &Solid) -> Shape {
     match &solid.shape {
         SolidShape::Box {
             half_length,

@@ -15,6 +15,7 @@ use crate::terrain::{Terrain, green};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use simbeeotic_units::Length;
+use std::path::PathBuf;
 
 /// Everything that stands in the world, as a world file says it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -58,6 +59,10 @@ pub struct World {
     /// Places with a name.
     #[serde(rename = "place", skip_serializing_if = "Vec::is_empty")]
     pub places: Vec<Place>,
+    /// The folder from which the names of texture files count: that of the world file. No part of the file;
+    /// `None` if there is no such texture.
+    #[serde(skip)]
+    pub folder: Option<PathBuf>,
 }
 
 impl Default for World {
@@ -77,6 +82,7 @@ impl Default for World {
             materials: Vec::new(),
             spawns: Vec::new(),
             places: Vec::new(),
+            folder: None,
         }
     }
 }

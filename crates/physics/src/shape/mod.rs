@@ -115,6 +115,20 @@ pub struct HeightField {
     pub heights_m: Vec<f64>,
 }
 
+impl Hull {
+    /// Its faces as triangles; `None` if its points are not finite or all lie in one plane.
+    #[must_use]
+    pub fn surface(&self) -> Option<Mesh> {
+        if !self.points_m.iter().all(|point| point.is_finite()) {
+            return None;
+        }
+        hull::hull(&self.points_m).map(|faces| Mesh {
+            points_m: faces.points,
+            triangles: faces.triangles,
+        })
+    }
+}
+
 impl HeightField {
     /// Number of rows, along y.
     #[must_use]

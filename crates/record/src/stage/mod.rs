@@ -3,10 +3,17 @@
 //! A [`World`] says what things are; a [`Stage`] says what they look like: primitives and triangles with
 //! colours. Recordings carry it (`/world`), so a replay needs no world file.
 
+mod bounds;
 mod of;
+mod textures;
+mod thin;
+mod triangles;
 
 pub use of::pieces_of;
+pub use textures::{TEXTURE_BYTES_MAX, TEXTURES, textures};
+pub use triangles::Triangles;
 
+use simbeeotic_model::units::glam::{DQuat, DVec3};
 use std::sync::Arc;
 
 /// Everything that stands still in a run.
@@ -31,7 +38,8 @@ pub struct Prop {
     pub label: String,
     /// Red, green, blue, opacity, 0 to 255 each.
     pub color: [u8; 4],
-    /// The texture: the name of a built-in one (`brick`), or of an attached file; empty for none.
+    /// The texture: the name of a built-in one (`brick`), or the path of a file as the world has it; empty for none.
+    /// The file's bytes are those of [`textures`], or the attachment `textures/` and this name.
     pub texture: String,
     /// What it is made of.
     pub pieces: Vec<Piece>,
@@ -91,10 +99,36 @@ pub enum Form {
 impl Piece {
     /// A form at the origin, not turned.
     pub fn at_origin(form: Form) -> Self {
+        Self::new(form, [0.0; 3], DQuat::IDENTITY)
+    }
+
+    /// A form somewhere; `turn` takes vectors of its frame to those of world or body.
+    pub(crate) fn new(form: Form, position_m: [f64; 3], turn: DQuat) -> Self {
         Self {
             form,
-            position_m: [0.0; 3],
-            attitude: [1.0, 0.0, 0.0, 0.0],
+            position_m,
+            attitude: [turn.w, turn.x, turn.y, turn.z],
+        }
+    }
+
+    pub(crate) fn origin(&self) -> DVec3 {
+        DVec3::from_array(self.position_m)
+    }
+
+    /// Its attitude as a rotation; none if it is no unit quaternion.
+    pub(crate) fn turn(&self) -> DQuat {
+        let [w, x, y, z] = self.attitude;
+        let turn = DQuat::from_xyzw(x, y, z, w);
+        let unit = (turn.length_squared() - 1.0).abs() < 1e-3;
+        if unit { turn } else { DQuat::IDENTITY }
+    }
+}
+
+impl From<Triangles> for Form {
+    fn from(surface: Triangles) -> Self {
+        Form::Mesh {
+            points_m: surface.points_m,
+            triangles: surface.triangles,
         }
     }
 }

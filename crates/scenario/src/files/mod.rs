@@ -38,6 +38,7 @@ pub(crate) fn fill(world: &mut World, folder: &Path) -> Found {
     let mut files = Files {
         folder,
         meshes: BTreeMap::new(),
+        textures: 0,
         found: Found::default(),
     };
     for (i, obstacle) in world.obstacles.iter_mut().enumerate() {
@@ -51,7 +52,11 @@ pub(crate) fn fill(world: &mut World, folder: &Path) -> Found {
         files.texture("terrain", terrain.texture.as_ref());
         files.heights("terrain.height_field", &mut terrain.height_field);
     }
-    files.found
+    let (textures, found) = (files.textures, files.found);
+    if textures > 0 {
+        world.folder = Some(folder.to_owned());
+    }
+    found
 }
 
 /// Triangles as a file has them.
@@ -102,6 +107,8 @@ type Read = Result<(Arc<Triangles>, UpAxis), String>;
 struct Files<'f> {
     folder: &'f Path,
     meshes: BTreeMap<PathBuf, Read>,
+    /// How many textures are there.
+    textures: usize,
     found: Found,
 }
 
@@ -266,6 +273,8 @@ impl Files<'_> {
                 message: format!("{name}: {message}"),
                 help: Some("nothing but a view needs it; there the plain colour is shown".into()),
             });
+        } else {
+            self.textures += 1;
         }
     }
 }
