@@ -144,7 +144,7 @@ export type PageMessage =
   | { type: "pause" | "resume" }
   | { type: "step"; instants?: number; seconds?: number }
   | { type: "pace"; factor: number | null }
-  | { type: "select"; vehicle: number | null }
+  | { type: "select"; vehicle: number | null; t?: number }
   | { type: "colour"; by: string | null }
   | { type: "got"; time_s: number }
   | { type: "fetch"; id: number; from_s: number; to_s: number; step_s: number }

@@ -1,0 +1,284 @@
+// What is looked at: all that the program has said of it, and what the user has chosen. The panels read and
+// change this; none of them knows another.
+
+import { Connection } from "./connection";
+import { layerNames, type ChartKey } from "./core/place";
+import { SeriesStore } from "./core/series";
+import { Signal } from "./core/signal";
+import { LivePlayer } from "./player/live";
+import { ReplayPlayer } from "./player/replay";
+import type { Player } from "./player/index";
+import type { ColourBy, Layers, Legend } from "./scene/index";
+import type { Details, Hello, Link, Mark, PageMessage, ServerMessage, State } from "./wire";
+
+export interface Colour {
+  by: ColourBy;
+  /** The series of `value`. */
+  name: string;
+}
+
+export interface Notice {
+  text: string;
+  bad: boolean;
+}
+
+/** Marks that are kept; the oldest go. */
+const MOST_MARKS = 10_000;
+/** The names under which the charge of batteries may come. */
+const batteryNames = ["battery/soc", "battery", "soc"];
+
+/** The series of the charge of batteries, if anybody has one. */
+export function batteryName(series: SeriesStore): string | null {
+  const known = series.ofVehicles();
+  return batteryNames.find((name) => known.has(name)) ?? null;
+}
+
+/** What there is in this run: the page does not offer what there is not. */
+export interface Has {
+  radio: boolean;
+  wind: boolean;
+  beams: boolean;
+}
+
+export class Run {
+  readonly series = new SeriesStore();
+  readonly state = new Signal<State | null>(null);
+  readonly details = new Signal<Details | null>(null);
+  readonly links = new Signal<Link[]>([]);
+  readonly wind = new Signal<number[][]>([]);
+  readonly legend = new Signal<Legend | null>(null);
+  readonly notice = new Signal<Notice | null>(null);
+  /** In order of time. */
+  marks: Mark[] = [];
+  readonly marked = new Signal(0);
+  marksDropped = 0;
+
+  /** Virtual time that is shown, s. */
+  readonly time = new Signal(0);
+  readonly selected = new Signal<number | null>(null);
+  readonly following = new Signal(false);
+  readonly layers = new Signal<Layers>(usualLayers());
+  readonly colour = new Signal<Colour>({ by: "kind", name: "" });
+  readonly has = new Signal<Has>({ radio: false, wind: false, beams: false });
+  readonly charts = new Signal<ChartKey[] | null>(null);
+  /** What happens on this run, not on its successor: ends listeners on what outlives it. */
+  readonly gone = new AbortController();
+
+  readonly live: LivePlayer | null;
+  readonly replay: ReplayPlayer | null;
+  readonly player: Player;
+  /** Something is to be drawn. */
+  onBusy: () => void = () => {};
+
+  private colourAsked: string | null = null;
+  private readonly numbers = new Map<string, number>();
+  private readonly linkTimes: { t: number; list: Link[] }[] = [];
+
+  constructor(
+    readonly hello: Hello,
+    private readonly connection: Connection,
+  ) {
+    this.series.known.on(() => this.askColour());
+    hello.vehicles.paths.forEach((path, vehicle) => this.numbers.set(path, vehicle));
+    const send = (message: PageMessage) => connection.send(message);
+    if (hello.mode === "replay" && hello.replay) {
+      this.live = null;
+      this.replay = new ReplayPlayer(hello.replay, hello.vehicles.paths.length, send);
+      this.player = this.replay;
+      this.time.value = hello.replay.from_s;
+    } else {
+      this.live = new LivePlayer(send);
+      this.replay = null;
+      this.player = this.live;
+    }
+  }
+
+  get count(): number {
+    return this.hello.vehicles.paths.length;
+  }
+
+  path(vehicle: number): string {
+    return this.hello.vehicles.paths[vehicle] ?? `vehicle ${vehicle}`;
+  }
+
+  number(path: string): number | undefined {
+    return this.numbers.get(path);
+  }
+
+  send(message: PageMessage): void {
+    if (!this.connection.send(message)) this.say("The program is not there: this cannot be done now.", true);
+  }
+
+  say(text: string, bad = false): void {
+    this.notice.value = { text, bad };
+  }
+
+  hear(message: Exclude<ServerMessage, Hello>): void {
+    switch (message.type) {
+      case "state":
+        this.state.value = message;
+        break;
+      case "series":
+        this.series.declare(message.list);
+        break;
+      case "history":
+        this.series.fill(message.id, message.times_s, message.values);
+        if (this.series.lines.get(message.id)?.about.name === "packets/sent") this.found({ radio: message.values.some(Boolean) });
+        break;
+      case "marks":
+        this.mark(message.list, message.dropped);
+        break;
+      case "packets":
+        this.found({ radio: message.list.length > 0 });
+        (this.live ?? this.replay)?.hear(message.list);
+        break;
+      case "links":
+        this.found({ radio: message.list.length > 0 });
+        this.hearLinks(message.t, message.list);
+        break;
+      case "wind":
+        this.found({ wind: message.arrows.length > 0 });
+        this.wind.value = message.arrows;
+        break;
+      case "details":
+        // What was on its way when somebody else was selected is nobody's business.
+        if (message.vehicle === this.selected.value) this.details.value = message;
+        this.found({
+          radio: message.radios.length > 0,
+          beams: message.sensors.some((sensor) => sensor.beams !== null),
+        });
+        break;
+      case "fetched":
+        this.replay?.fetched(message.id);
+        this.onBusy();
+        break;
+      case "error":
+        this.say(message.text, true);
+        break;
+    }
+  }
+
+  select(vehicle: number | null): void {
+    if (vehicle === this.selected.value) return;
+    this.details.value = null;
+    if (vehicle === null) this.following.value = false;
+    this.selected.value = vehicle;
+    this.askDetails();
+  }
+
+  /** Whom the details are wanted of: of a recording, at the time that is shown. */
+  askDetails(): void {
+    const vehicle = this.selected.value;
+    this.connection.send(
+      this.replay && vehicle !== null
+        ? { type: "select", vehicle, t: this.replay.time_s }
+        : { type: "select", vehicle },
+    );
+  }
+
+  paint(colour: Colour): void {
+    const before = this.colour.value;
+    if (before.by === colour.by && before.name === colour.name) return;
+    this.colour.value = colour;
+    this.askColour();
+  }
+
+  /** The series that colours the vehicles, as far as anybody has it. */
+  colourSeries(): string | null {
+    const { by, name } = this.colour.value;
+    if (by === "battery") return batteryName(this.series);
+    return by === "value" && this.series.ofVehicles().has(name) ? name : null;
+  }
+
+  /** A link may want colours before the program has said what there is: then it is asked once it has. */
+  private askColour(): void {
+    const by = this.colourSeries();
+    if (by === this.colourAsked || !this.connection.send({ type: "colour", by })) return;
+    this.colourAsked = by;
+    this.replay?.forget();
+    this.onBusy();
+  }
+
+  toggleLayer(name: keyof Layers): void {
+    this.layers.value = { ...this.layers.value, [name]: !this.layers.value[name] };
+  }
+
+  /** To a time of a recording. */
+  seek(t_s: number): void {
+    this.replay?.seek(t_s);
+    this.onBusy();
+  }
+
+  /** To the next mark, or the one before: of the selected vehicle, if there is one that has any. */
+  seekMark(by: 1 | -1): void {
+    if (!this.replay) return;
+    const here = this.replay.time_s;
+    const vehicle = this.selected.value;
+    const own = vehicle === null ? [] : this.marks.filter((mark) => mark.who.includes(vehicle));
+    const list = own.length > 0 ? own : this.marks;
+    const mark =
+      by > 0 ? list.find((mark) => mark.t > here + 1e-9) : list.findLast((mark) => mark.t < here - 1e-9);
+    if (!mark) {
+      this.say(by > 0 ? "No mark after this time." : "No mark before this time.");
+      return;
+    }
+    this.replay.play(false);
+    this.seek(mark.t);
+    const who = mark.who.map((vehicle) => this.path(vehicle)).join(", ");
+    this.say([mark.kind, who, mark.text].filter((text) => text !== "").join(" · "));
+  }
+
+  /** Links as they were last told at a time of a recording. */
+  linksAt(t_s: number): Link[] {
+    return this.linkTimes.findLast((entry) => entry.t <= t_s + 1e-9)?.list ?? [];
+  }
+
+  /** The program has come back: it forgot whom we look at. */
+  repeat(): void {
+    if (this.selected.value !== null) this.askDetails();
+  }
+
+  /** What was seen once is there. */
+  private found(seen: Partial<Has>): void {
+    const has = { ...this.has.value };
+    for (const name of Object.keys(seen) as (keyof Has)[]) has[name] ||= seen[name] ?? false;
+    if (JSON.stringify(has) !== JSON.stringify(this.has.value)) this.has.value = has;
+  }
+
+  private hearLinks(t: number, list: Link[]): void {
+    if (!this.replay) {
+      this.links.value = list;
+      return;
+    }
+    const known = this.linkTimes.find((entry) => entry.t === t);
+    if (known) known.list = list;
+    else {
+      this.linkTimes.push({ t, list });
+      this.linkTimes.sort((x, y) => x.t - y.t);
+      if (this.linkTimes.length > 500) {
+        const here = this.replay.time_s;
+        this.linkTimes.sort((x, y) => Math.abs(x.t - here) - Math.abs(y.t - here)).length = 250;
+        this.linkTimes.sort((x, y) => x.t - y.t);
+      }
+    }
+    this.links.value = this.linksAt(this.replay.time_s);
+  }
+
+  private mark(list: Mark[], dropped: number): void {
+    this.marksDropped += dropped;
+    if (list.length === 0 && dropped === 0) return;
+    const newest = this.marks.at(-1)?.t ?? -Infinity;
+    this.marks.push(...list);
+    if (list.some((mark, at) => mark.t < (at > 0 ? list[at - 1]!.t : newest))) this.marks.sort((x, y) => x.t - y.t);
+    if (this.marks.length > MOST_MARKS) {
+      this.marksDropped += this.marks.length - MOST_MARKS;
+      this.marks = this.marks.slice(-MOST_MARKS);
+    }
+    this.marked.value += 1;
+  }
+}
+
+function usualLayers(): Layers {
+  const on = new Set<string>(["links", "packets", "beams", "wind", "grid", "world"]);
+  return Object.fromEntries(layerNames.map((name) => [name, on.has(name)])) as unknown as Layers;
+}

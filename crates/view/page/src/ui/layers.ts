@@ -1,0 +1,134 @@
+// The panel on the left: what is drawn, by what it is coloured, and from where it is seen.
+
+import { button, h, show } from "../core/dom";
+import { fixed, number, unit, words } from "../core/format";
+import { layerNames } from "../core/place";
+import { batteryName, type Run } from "../run";
+import type { ColourBy, Layers, Legend, ViewName } from "../scene/index";
+
+export const layerWords: { [name in keyof Layers]: string } = {
+  labels: "Names",
+  trails: "Trails",
+  links: "Radio links",
+  packets: "Packets",
+  beams: "Sensor beams",
+  wind: "Wind",
+  grid: "Grid",
+  world: "World",
+};
+
+export const views: [name: ViewName, label: string, key: string, short: string][] = [
+  ["orbit", "From above and aside", "o", "Orbit"],
+  ["top", "From above", "t", "Top"],
+  ["north", "From the north", "n", "N"],
+  ["east", "From the east", "e", "E"],
+  ["south", "From the south", "s", "S"],
+  ["west", "From the west", "w", "W"],
+];
+
+export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () => void): HTMLElement {
+  return h(
+    "section",
+    { class: "panel left", id: "layers", "aria-label": "layers and colours" },
+    h("h2", { text: "Show" }),
+    layerBoxes(run),
+    h("h2", { text: "Colour by" }),
+    colourChoice(run),
+    legendBox(run),
+    h("h2", { text: "View" }),
+    h(
+      "div",
+      { class: "views" },
+      ...views.map(([view, label, key, short]) => button(label, key, short, () => look(view), { class: "tool plain" })),
+      button("All vehicles in sight", "a", "Fit", fit, { class: "tool plain", id: "fit" }),
+    ),
+  );
+}
+
+function layerBoxes(run: Run): HTMLElement {
+  const list = h("div", { class: "checks" });
+  const rows = new Map<keyof Layers, { row: HTMLElement; box: HTMLInputElement }>();
+  layerNames.forEach((name, at) => {
+    const box = h("input", {
+      type: "checkbox",
+      id: `layer-${name}`,
+      "aria-keyshortcuts": String(at + 1),
+      on: { change: () => run.toggleLayer(name) },
+    });
+    const row = h("label", { class: "check" }, box, h("span", { text: layerWords[name] }), h("kbd", { text: String(at + 1) }));
+    rows.set(name, { row, box });
+    list.append(row);
+  });
+  run.layers.now((layers) => {
+    for (const [name, { box }] of rows) box.checked = layers[name];
+  });
+  // What a run does not have, nobody switches on.
+  run.has.now((has) => {
+    for (const name of ["links", "packets"] as const) show(rows.get(name)!.row, has.radio);
+    show(rows.get("wind")!.row, has.wind);
+    show(rows.get("beams")!.row, has.beams);
+    show(rows.get("world")!.row, run.hello.stage.props.length > 0);
+  });
+  return list;
+}
+
+function colourChoice(run: Run): HTMLElement {
+  const choice = h("select", { id: "colour-by", "aria-label": "colour vehicles by" });
+  const fill = () => {
+    const option = (value: string, text: string) => h("option", { value, text });
+    const options = [option("kind", "kind"), option("speed", "speed")];
+    const battery = batteryName(run.series);
+    if (battery) options.push(option("battery", "battery"));
+    for (const [name, of] of run.series.ofVehicles()) {
+      if (name !== battery) options.push(option(`value:${name}`, `${words(name)}${unit(of)}`));
+    }
+    const { by, name } = run.colour.value;
+    const chosen = by === "value" ? `value:${name}` : by;
+    if (!options.some((it) => it.value === chosen)) options.push(option(chosen, words(name || by)));
+    const same = [...choice.options].map((it) => it.value).join("\n") === options.map((it) => it.value).join("\n");
+    if (!same) choice.replaceChildren(...options);
+    choice.value = chosen;
+  };
+  choice.addEventListener("change", () => {
+    const [by, ...name] = choice.value.split(":");
+    run.paint({ by: by as ColourBy, name: name.join(":") });
+  });
+  run.series.known.now(fill);
+  run.colour.on(fill);
+  return choice;
+}
+
+function legendBox(run: Run): HTMLElement {
+  const box = h("div", { class: "legend", id: "legend", "aria-label": "legend" });
+  run.legend.now((legend) => {
+    box.replaceChildren(...(legend ? entries(legend) : []));
+    show(box, legend !== null);
+  });
+  return box;
+}
+
+function entries(legend: Legend): HTMLElement[] {
+  if (legend.names) {
+    return legend.names.slice(0, 12).map(([name, colour]) => {
+      const dot = h("span", { class: "dot" });
+      dot.style.background = colour;
+      return h("div", { class: "entry" }, dot, h("span", { class: "cut", text: name, title: name }));
+    });
+  }
+  const bar = h("div", { class: "ramp" });
+  bar.style.background = `linear-gradient(to right, ${legend.stops.join(", ")})`;
+  const near = Math.max(Math.abs(legend.low), Math.abs(legend.high)) < 1000;
+  const span = legend.high - legend.low;
+  const end = (value: number) => (near && span > 0 ? fixed(value, Math.max(0, 2 - Math.floor(Math.log10(span)))) : number(value));
+  return [
+    bar,
+    h(
+      "div",
+      { class: "ends" },
+      h("span", { text: end(legend.low) }),
+      h("span", { class: "faint cut", text: `${legend.title}${legend.unit && legend.unit !== "1" ? `, ${legend.unit}` : ""}` }),
+      h("span", { text: end(legend.high) }),
+    ),
+  ];
+}
+

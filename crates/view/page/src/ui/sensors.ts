@@ -1,0 +1,127 @@
+// Sensors of the selected vehicle: what each reads, what is true, and how both went lately.
+
+import { h, say, show } from "../core/dom";
+import { number, time } from "../core/format";
+import type { Details, SensorDetails } from "../wire";
+
+/** Values of one sensor that are listed; a camera has more than anybody reads. */
+const MOST_VALUES = 6;
+const POINTS = 120;
+
+interface Row {
+  element: HTMLElement;
+  update(sensor: SensorDetails): void;
+}
+
+export function sensorRows(details: Details): { element: HTMLElement; update(details: Details): void } {
+  const rows = details.sensors.map(sensorRow);
+  return {
+    element: h("section", { id: "sensors" }, title(), ...rows.map((row) => row.element)),
+    update({ sensors }) {
+      sensors.forEach((sensor, at) => rows[at]?.update(sensor));
+    },
+  };
+}
+
+/** What the columns below are. */
+function title(): HTMLElement {
+  return h(
+    "table",
+    { class: "facts values heading" },
+    h(
+      "tr",
+      {},
+      h("th", {}, h("h3", { text: "Sensors" })),
+      h("td", { class: "figure faint", text: "reads" }),
+      h("td", { class: "figure faint", text: "true" }),
+      h("td"),
+    ),
+  );
+}
+
+function sensorRow(first: SensorDetails): Row {
+  const length = first.reading?.length ?? first.truth?.length ?? 0;
+  const columns = Math.max(first.columns.length, 1);
+  const state = h("span", { class: "faint figure" });
+  const spark = h("canvas", { class: "spark", "aria-hidden": "true" });
+  const cells = Array.from({ length: Math.min(length, MOST_VALUES) }, (_, at) => {
+    const [column, of] = first.columns[at % columns] ?? ["", ""];
+    const number = length > columns ? ` ${Math.floor(at / columns) + 1}` : "";
+    const reading = h("td", { class: "figure" });
+    const truth = h("td", { class: "figure faint" });
+    const row = h(
+      "tr",
+      {},
+      h("th", { scope: "row", text: `${column}${number}`.trim() }),
+      reading,
+      truth,
+      h("td", { class: "faint", text: of === "1" ? "" : of }),
+    );
+    return { row, reading, truth };
+  });
+  const more = length > MOST_VALUES ? h("p", { class: "faint", text: `and ${length - MOST_VALUES} more values` }) : null;
+  const table = h(
+    "table",
+    { class: "facts values" },
+    ...cells.map((cell) => cell.row),
+  );
+  const past: { t: number; reading: number | null; truth: number | null }[] = [];
+  return {
+    element: h("div", { class: "sensor" }, h("div", { class: "first" }, h("strong", { class: "cut", text: first.name }), spark, state), table, more),
+    update(sensor) {
+      say(state, sensor.lost ? "lost" : sensor.t === null ? "not read yet" : time(sensor.t));
+      state.classList.toggle("warn", sensor.lost);
+      cells.forEach((cell, at) => {
+        say(cell.reading, number(sensor.reading?.[at], 4));
+        say(cell.truth, number(sensor.truth?.[at], 4));
+      });
+      if (sensor.t !== null && sensor.t !== past.at(-1)?.t) {
+        // Somebody went back in a recording: what came later is no past.
+        if (sensor.t < (past.at(-1)?.t ?? -Infinity)) past.length = 0;
+        past.push({ t: sensor.t, reading: sensor.reading?.[0] ?? null, truth: sensor.truth?.[0] ?? null });
+        if (past.length > POINTS) past.shift();
+      }
+      show(spark, past.length > 2);
+      if (past.length > 2) drawSpark(spark, past);
+    },
+  };
+}
+
+/** The first value lately: what it read over what was true. */
+function drawSpark(canvas: HTMLCanvasElement, past: { t: number; reading: number | null; truth: number | null }[]): void {
+  const width = canvas.clientWidth || 64;
+  const height = canvas.clientHeight || 16;
+  const ratio = devicePixelRatio || 1;
+  canvas.width = width * ratio;
+  canvas.height = height * ratio;
+  const c = canvas.getContext("2d");
+  const all = past.flatMap((point) => [point.reading, point.truth]).filter((x): x is number => x !== null && Number.isFinite(x));
+  if (!c || all.length === 0) return;
+  c.scale(ratio, ratio);
+  const low = Math.min(...all);
+  const span = Math.max(...all) - low || 1;
+  const from_s = past[0]!.t;
+  const span_s = past.at(-1)!.t - from_s || 1;
+  const style = getComputedStyle(canvas);
+  const line = (pick: "reading" | "truth", colour: string, thick: number) => {
+    c.beginPath();
+    let drawing = false;
+    for (const point of past) {
+      const value = point[pick];
+      if (value === null || !Number.isFinite(value)) {
+        drawing = false;
+        continue;
+      }
+      const x = 1 + ((point.t - from_s) / span_s) * (width - 2);
+      const y = height - 2 - ((value - low) / span) * (height - 4);
+      if (drawing) c.lineTo(x, y);
+      else c.moveTo(x, y);
+      drawing = true;
+    }
+    c.strokeStyle = style.getPropertyValue(colour).trim();
+    c.lineWidth = thick;
+    c.stroke();
+  };
+  line("truth", "--line-strong", 1);
+  line("reading", "--accent", 1.25);
+}
