@@ -1,0 +1,102 @@
+// How long pictures take, and how fine they are: where they take long they get coarser, and one that stands still is
+// drawn again, fine.
+
+import type * as THREE from "three";
+
+const SLOW_MS = 50;
+const QUICK_MS = 18;
+const COARSEST = 0.5;
+/** A picture stands still if none follows for so long. */
+const REST_MS = 350;
+/** A fine picture may take so long. */
+const PATIENCE_MS = 1200;
+const POLL_MS = 3;
+
+export class Pace {
+  /** Pixels of the picture for each CSS pixel. */
+  ratio: number;
+  drawn = 0;
+  /** Mean time of the last pictures, from their beginning until the graphics card has finished them, ms. */
+  ms = 0;
+  private moving: number;
+  private began = 0;
+  private recent: number[] = [];
+  private rest = 0;
+  private poll = 0;
+  private fence: WebGLSync | null = null;
+  private gl: WebGL2RenderingContext;
+
+  constructor(
+    renderer: THREE.WebGLRenderer,
+    private setRatio: (ratio: number) => void,
+    private redraw: () => void,
+  ) {
+    this.gl = renderer.getContext() as WebGL2RenderingContext;
+    this.ratio = this.moving = this.finest();
+  }
+
+  /** A picture begins; `fine`: it stands still. */
+  begin(fine: boolean): void {
+    this.began = performance.now();
+    clearTimeout(this.rest);
+    this.use(fine ? this.finest() : this.moving);
+  }
+
+  /** It has been handed to the graphics card. */
+  end(): void {
+    this.drawn++;
+    // One at a time: while one is waited for, the next is not measured.
+    if (this.fence === null) {
+      this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      this.gl.flush();
+      this.wait(this.began, this.ratio === this.moving);
+    }
+    if (this.ratio < this.finest()) {
+      this.rest = window.setTimeout(() => {
+        if (this.ms * (this.finest() / this.ratio) ** 2 < PATIENCE_MS) this.redraw();
+      }, REST_MS);
+    }
+  }
+
+  dispose(): void {
+    clearTimeout(this.rest);
+    clearTimeout(this.poll);
+    if (this.fence) this.gl.deleteSync(this.fence);
+  }
+
+  private wait(began: number, counts: boolean): void {
+    this.poll = window.setTimeout(() => {
+      if (!this.fence) return;
+      const done = this.gl.isContextLost() || this.gl.getSyncParameter(this.fence, this.gl.SYNC_STATUS) === this.gl.SIGNALED;
+      if (!done) return this.wait(began, counts);
+      this.gl.deleteSync(this.fence);
+      this.fence = null;
+      if (counts) this.note(performance.now() - began);
+    }, POLL_MS);
+  }
+
+  private finest(): number {
+    return Math.min(devicePixelRatio || 1, 2);
+  }
+
+  private use(ratio: number): void {
+    if (ratio === this.ratio) return;
+    this.ratio = ratio;
+    this.setRatio(ratio);
+  }
+
+  private note(took: number): void {
+    this.recent.push(took);
+    if (this.recent.length > 8) this.recent.shift();
+    this.ms = this.recent.reduce((a, b) => a + b, 0) / this.recent.length;
+    if (this.recent.length < 5) return;
+    const finest = this.finest();
+    if (this.ms > SLOW_MS && this.moving > COARSEST) {
+      this.moving = Math.max(COARSEST, this.moving * 0.8);
+      this.recent = [];
+    } else if (this.ms < QUICK_MS && this.moving < finest) {
+      this.moving = Math.min(finest, this.moving * 1.1);
+      this.recent = [];
+    }
+  }
+}

@@ -1,0 +1,86 @@
+// Radio: links as lines that fade with their signal, packets as pulses from the sender to those who hear it.
+
+import type { Link, Packet } from "../wire";
+import { SCALES, sample } from "./colours";
+import type { Frames } from "./frames";
+import type { Shared } from "./light";
+import { Lines } from "./lines";
+import { clamp } from "./math";
+
+/** What is drawn as no signal and as a full one, dBm. */
+const WEAK_DBM = -95;
+const STRONG_DBM = -45;
+const MOST_LINKS = 12_000;
+/** How long a pulse is under way, wall s. */
+const PULSE_S = 0.35;
+const MOST_PULSES = 4096;
+/** Of one packet so many receivers are shown. */
+const MOST_RECEIVERS = 40;
+/** In one go so many pulses begin. */
+const MOST_AT_ONCE = 700;
+
+/** 0 (weak) to 1 (strong). */
+export function strength(rssi_dbm: number): number {
+  return Number.isFinite(rssi_dbm) ? clamp((rssi_dbm - WEAK_DBM) / (STRONG_DBM - WEAK_DBM), 0, 1) : 0.5;
+}
+
+export class Radio {
+  readonly links: Lines;
+  readonly pulses: Lines;
+  private until = 0;
+
+  constructor(frames: Frames, shared: Shared) {
+    this.links = new Lines(MOST_LINKS, frames, shared, { width_px: 1.5, order: 12 });
+    this.pulses = new Lines(MOST_PULSES, frames, shared, { width_px: 3.2, pulse: true, order: 14 });
+  }
+
+  setLinks(list: Link[], count: number): void {
+    this.links.clear();
+    const whole = list.filter(([a, b]) => a < count && b < count && a >= 0 && b >= 0);
+    // The strongest, if there are too many; and the more there are, the fainter each.
+    const shown = whole.length > MOST_LINKS ? [...whole].sort((a, b) => b[2] - a[2]).slice(0, MOST_LINKS) : whole;
+    const crowd = clamp(1.15 - 0.16 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
+    for (const [from, to, rssi, share] of shown) {
+      const s = strength(rssi);
+      const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(share, 0, 1)) * crowd;
+      this.links.add(from, to, [...sample(SCALES.signal, s), Math.round(255 * opacity)]);
+    }
+    this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);
+    this.links.flush();
+  }
+
+  /** `now`: wall s. */
+  addPackets(list: Packet[], count: number, now: number): void {
+    let left = MOST_AT_ONCE;
+    const each = Math.max(1, Math.min(MOST_RECEIVERS, Math.floor(left / Math.max(list.length, 1))));
+    let first = -1;
+    let added = 0;
+    for (const packet of list) {
+      if (packet.from >= count) continue;
+      const step = Math.max(1, Math.ceil(packet.to.length / each));
+      for (let i = 0; i < packet.to.length && left > 0; i += step) {
+        const [to, rssi] = packet.to[i]!;
+        if (to >= count) continue;
+        const s = strength(rssi);
+        const slot = this.pulses.add(packet.from, to, [...sample(SCALES.signal, s), 255], now, PULSE_S);
+        if (first < 0) first = slot;
+        added++;
+        left--;
+      }
+    }
+    if (added > 0) {
+      this.pulses.flush(first, added);
+      this.until = now + PULSE_S;
+    }
+  }
+
+  /** Whether pulses are under way. */
+  busy(now: number): boolean {
+    return now <= this.until + 0.05;
+  }
+
+  dispose(): void {
+    this.links.dispose();
+    this.pulses.dispose();
+  }
+}

@@ -1,0 +1,90 @@
+// The moving air: an arrow at each place it is known, its length by the speed.
+
+import * as THREE from "three";
+import { fromX, length } from "./math";
+import { LIGHT, type Shared } from "./light";
+import type { Vec3 } from "../wire";
+
+const MOST = 4000;
+
+/** An arrow along x from 0 to 1. */
+function arrow(): THREE.BufferGeometry {
+  const shaft = new THREE.CylinderGeometry(0.022, 0.022, 0.74, 6).rotateZ(-Math.PI / 2).translate(0.37, 0, 0).toNonIndexed();
+  const tip = new THREE.ConeGeometry(0.085, 0.28, 10).rotateZ(-Math.PI / 2).translate(0.86, 0, 0).toNonIndexed();
+  const g = new THREE.BufferGeometry();
+  for (const name of ["position", "normal"]) {
+    const [a, b] = [shaft.getAttribute(name), tip.getAttribute(name)];
+    g.setAttribute(name, new THREE.Float32BufferAttribute([...a.array, ...b.array], 3));
+  }
+  return g;
+}
+
+export class Wind {
+  readonly mesh: THREE.InstancedMesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
+
+  constructor(shared: Shared) {
+    const material = new THREE.ShaderMaterial({
+      uniforms: { ...shared, uColour: { value: new THREE.Vector3(0.05, 0.35, 0.75) } },
+      vertexShader: /* glsl */ `
+        varying vec3 vNormal2;
+        void main() {
+          vNormal2 = mat3(instanceMatrix) * normal;
+          gl_Position = projectionMatrix * viewMatrix * instanceMatrix * vec4(position, 1.0);
+        }`,
+      fragmentShader: /* glsl */ `
+        ${LIGHT}
+        uniform vec3 uColour;
+        varying vec3 vNormal2;
+        void main() {
+          vec3 n = normalize(vNormal2);
+          gl_FragColor = vec4(toSrgb(uColour * (0.75 + 0.4 * n.z)), 0.8);
+        }`,
+      transparent: true,
+    });
+    this.mesh = new THREE.InstancedMesh(arrow(), material, MOST);
+    this.mesh.count = 0;
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 18;
+  }
+
+  setDark(dark: boolean): void {
+    this.mesh.material.uniforms["uColour"]!.value.set(...(dark ? [0.25, 0.62, 0.95] : [0.04, 0.26, 0.62]));
+  }
+
+  /** Places and velocities of the air. The fastest arrow is as long as the arrows are apart. */
+  set(arrows: number[][]): void {
+    const whole = arrows.filter((a) => a.length >= 6 && a.slice(0, 6).every(Number.isFinite)).slice(0, MOST);
+    const fastest = whole.reduce((m, a) => Math.max(m, length([a[3]!, a[4]!, a[5]!])), 0);
+    const apart = spacing(whole);
+    let n = 0;
+    for (const a of whole) {
+      const v: Vec3 = [a[3]!, a[4]!, a[5]!];
+      const speed = length(v);
+      if (!(speed > fastest * 0.01)) continue;
+      const l = apart * 0.85 * Math.sqrt(speed / fastest);
+      const [w, x, y, z] = fromX(v);
+      const m = new THREE.Matrix4().compose(new THREE.Vector3(a[0]!, a[1]!, a[2]!), new THREE.Quaternion(x, y, z, w), new THREE.Vector3(l, l, l));
+      this.mesh.setMatrixAt(n++, m);
+    }
+    this.mesh.count = n;
+    this.mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+    this.mesh.dispose();
+  }
+}
+
+/** How far the arrows are apart, by the first and the one nearest to it, m; 5 if there is one only. */
+function spacing(arrows: number[][]): number {
+  const [a, ...others] = arrows;
+  if (!a || others.length === 0) return 5;
+  let least = Infinity;
+  for (const b of others) {
+    const d = length([a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!]);
+    if (d > 1e-6 && d < least) least = d;
+  }
+  return Number.isFinite(least) ? least : 5;
+}
