@@ -1,6 +1,6 @@
 //! What sensors and components see: truth, read only.
 
-use crate::energy::{Battery, BatteryState, Effort};
+use crate::energy::{Battery, BatteryState, Books, Effort};
 use crate::host::{Ray, Seen};
 use crate::line::Line;
 use crate::population::Population;
@@ -10,7 +10,7 @@ use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
 use simbeeotic_physics::{BodyError, Kind, Motion, Shape, Support};
-use simbeeotic_radio::{Counters, RadioId};
+use simbeeotic_radio::{Channel, Counters, RadioId, RadioState};
 use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Position, Rate, Twist, Velocity, glam,
 };
@@ -229,6 +229,7 @@ impl Truth<'_> {
 #[derive(Clone, Copy)]
 pub struct View<'a> {
     pub(crate) now: SimTime,
+    pub(crate) end: SimTime,
     pub(crate) swarm: &'a Swarm,
     pub(crate) agents: &'a [Agent],
     pub(crate) marks: &'a [Mark],
@@ -254,6 +255,11 @@ impl<'a> View<'a> {
     /// The present.
     pub fn now(&self) -> SimTime {
         self.now
+    }
+
+    /// When the run ends by itself; `None`: never.
+    pub fn end(&self) -> Option<SimTime> {
+        (self.end < SimTime::MAX).then_some(self.end)
     }
 
     /// Where the run comes from.
@@ -308,6 +314,12 @@ impl<'a> View<'a> {
         self.swarm.twist_of(id, self.now)
     }
 
+    /// The velocity of a model's body now.
+    pub fn velocity(&self, id: ModelId) -> Option<Velocity<Enu>> {
+        let motion = self.swarm.physics.motion(self.swarm.body_of(id)?);
+        Some(Velocity::from_si(motion.velocity(self.now)))
+    }
+
     /// The radius of the sphere around a model's body.
     pub fn radius(&self, id: ModelId) -> Option<Length> {
         self.swarm.radius_of(id)
@@ -339,6 +351,12 @@ impl<'a> View<'a> {
         Some(self.swarm.battery(&agent.core, self.now)?.0)
     }
 
+    /// A model's battery now, and what went in and out of it since the start; `None` if it has none.
+    pub fn battery_books(&self, id: ModelId) -> Option<(BatteryState, Books)> {
+        let agent = self.agents.get(id.index())?;
+        self.swarm.battery(&agent.core, self.now)
+    }
+
     /// What happened since the last observation of this component's clock: touches, log lines,
     /// metrics, in order. What a component looks at while the run is [held](crate::Component::held) is
     /// not shown to it again; what it does not look at then is there at its next observation.
@@ -356,6 +374,13 @@ impl<'a> View<'a> {
     pub fn radio_owner(&self, radio: RadioId) -> Option<ModelId> {
         let medium = self.swarm.medium.as_ref()?;
         (radio.index() < medium.radios()).then(|| medium.spec(radio).owner)
+    }
+
+    /// What a radio does now, and the channel it is tuned to; `None` if there is no such radio.
+    pub fn radio_state(&self, radio: RadioId) -> Option<(RadioState, Channel)> {
+        let medium = self.swarm.medium.as_ref()?;
+        let there = radio.index() < medium.radios();
+        there.then(|| (medium.state(radio, self.now), medium.spec(radio).channel))
     }
 
     /// What became of all frames so far, or of those of one radio.

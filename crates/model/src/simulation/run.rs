@@ -482,6 +482,7 @@ fn view<'a>(
 ) -> View<'a> {
     View {
         now,
+        end: engine.settings().limits.end,
         swarm: engine.domain(),
         agents: engine.agents(),
         marks,

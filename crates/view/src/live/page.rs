@@ -1,0 +1,372 @@
+//! One page that looks at a run: what it has been told, and what comes next.
+
+use super::look::Look;
+use super::shared::{MARKS_KEPT, Now, Shared};
+use crate::server::Page;
+use crate::wire::{Asked, Message, Packet, Said, frame, nanoseconds, values};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+/// Frames on the way to a page.
+const ON_THE_WAY: usize = 2;
+
+/// Marks and packets that go with one frame.
+const MARKS_MAX: usize = 200;
+const PACKETS_MAX: usize = 500;
+
+/// Wall time between two messages on how the run goes, and between two of values.
+const STATE: Duration = Duration::from_millis(100);
+
+/// Wall time over which the speed is measured.
+const SPEED: Duration = Duration::from_secs(1);
+
+/// A page of a live run.
+pub(super) struct LivePage {
+    shared: Arc<Shared>,
+    number: u64,
+    greeted: bool,
+    /// The times of frames that are not drawn yet, s.
+    on_the_way: VecDeque<f64>,
+    vehicle: Option<u32>,
+    colour: Option<String>,
+    /// What it has seen.
+    look: u64,
+    marks: u64,
+    packets: u64,
+    links: u64,
+    wind: u64,
+    details: u64,
+    sample: u64,
+    /// Statistics and columns that it was told of.
+    known: (usize, usize),
+    skipped: u64,
+    said: Option<State>,
+    said_at: Duration,
+    begun: Instant,
+    /// Wall and virtual times of the last second.
+    past: VecDeque<(Duration, f64)>,
+}
+
+/// How the run goes, as far as pages are told.
+#[derive(Clone, PartialEq)]
+struct State {
+    time_s: f64,
+    paused: bool,
+    factor: Option<f64>,
+    speed: f64,
+    ended: Option<String>,
+    events: u64,
+    viewers: usize,
+    skipped: u64,
+}
+
+impl LivePage {
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "pages are told how fast the run is by the wall clock"
+    )]
+    pub(super) fn new(shared: Arc<Shared>, number: u64) -> Self {
+        Self {
+            shared,
+            number,
+            greeted: false,
+            on_the_way: VecDeque::new(),
+            vehicle: None,
+            colour: None,
+            look: 0,
+            marks: 0,
+            packets: 0,
+            links: 0,
+            wind: 0,
+            details: 0,
+            sample: 0,
+            known: (0, 0),
+            skipped: 0,
+            said: None,
+            said_at: Duration::ZERO,
+            begun: Instant::now(),
+            past: VecDeque::new(),
+        }
+    }
+
+    fn error(out: &mut Vec<Message>, text: impl Into<String>) {
+        let text = text.into();
+        out.push(Said::Error { text }.message());
+    }
+
+    /// The first message, and all marks so far. Packets and the like are told from now on.
+    fn greet(&mut self, out: &mut Vec<Message>) {
+        out.extend(self.shared.hello.get().cloned());
+        let (list, dropped, packets) = {
+            let now = self.shared.now();
+            let (list, dropped) = now.marks.since(0, MARKS_KEPT);
+            self.marks = now.marks.end();
+            (list, dropped, now.packets.end())
+        };
+        self.packets = packets;
+        if !list.is_empty() || dropped > 0 {
+            out.push(Said::Marks { list, dropped }.message());
+        }
+        self.greeted = true;
+    }
+
+    /// Series that are new to it, each with its history.
+    fn series(&mut self, out: &mut Vec<Message>) {
+        let series = self.shared.series();
+        let (statistics, columns) = series.counts();
+        let mut list = series.statistics_from(self.known.0);
+        if let Some(vehicle) = self.vehicle.filter(|_| columns > self.known.1) {
+            list.extend(series.of_vehicle(vehicle));
+        }
+        let histories: Vec<_> = (list.iter())
+            .filter_map(|info| Some((info.id, series.history(info.id)?.clone())))
+            .filter(|(_, history)| !history.times_s.is_empty())
+            .collect();
+        drop(series);
+        self.known = (statistics, columns);
+        if !list.is_empty() {
+            out.push(Said::Series { list }.message());
+        }
+        out.extend(histories.into_iter().map(|(id, history)| {
+            let (times_s, values) = (history.times_s, history.values);
+            Said::History {
+                id,
+                times_s,
+                values,
+            }
+            .message()
+        }));
+    }
+
+    fn state(&mut self, wall: Duration, now_s: f64, ended: Option<String>) -> State {
+        let shared = &self.shared;
+        let progress = shared.progress.get();
+        let time_s = progress.map_or(0.0, |p| p.now().as_secs_f64()).max(now_s);
+        self.past.push_back((wall, time_s));
+        while self.past.len() > 2 && wall.saturating_sub(self.past[1].0) >= SPEED {
+            self.past.pop_front();
+        }
+        let (from, from_s) = self.past[0];
+        let passed_s = wall.saturating_sub(from).as_secs_f64();
+        let control = shared.control.get();
+        let paused = control.is_some_and(|control| control.is_paused());
+        let still = passed_s <= 0.0 || ended.is_some();
+        State {
+            time_s,
+            paused,
+            factor: control.and_then(|control| control.factor()),
+            speed: if still { 0.0 } else { (time_s - from_s) / passed_s },
+            ended,
+            events: progress.map_or(0, |progress| progress.events()),
+            viewers: shared.pages.load(Ordering::Relaxed),
+            skipped: self.skipped,
+        }
+    }
+
+    /// Says how the run goes, if that has changed.
+    fn say_state(&mut self, now_s: f64, ended: Option<String>, out: &mut Vec<Message>) {
+        let wall = self.begun.elapsed();
+        if self.said.is_some() && wall.saturating_sub(self.said_at) < STATE {
+            return;
+        }
+        let state = self.state(wall, now_s, ended);
+        if self.said.as_ref() == Some(&state) {
+            return;
+        }
+        self.said_at = wall;
+        self.said = Some(state.clone());
+        let State {
+            time_s,
+            paused,
+            factor,
+            speed,
+            ended,
+            events,
+            viewers,
+            skipped,
+        } = state;
+        let said = Said::State {
+            time_s,
+            paused,
+            factor,
+            speed,
+            ended,
+            events,
+            viewers,
+            skipped,
+        };
+        out.push(said.message());
+    }
+
+    /// What goes with a frame.
+    fn beside(&mut self, now: &Now, out: &mut Vec<Said>) -> Vec<Message> {
+        let (list, dropped) = now.marks.since(self.marks, MARKS_MAX);
+        self.marks = now.marks.end();
+        if !list.is_empty() || dropped > 0 {
+            out.push(Said::Marks { list, dropped });
+        }
+        let (list, dropped) = now.packets.since(self.packets, PACKETS_MAX);
+        self.packets = now.packets.end();
+        if !list.is_empty() || dropped > 0 {
+            let list = list.iter().map(|packet| Packet::clone(packet)).collect();
+            out.push(Said::Packets { list, dropped });
+        }
+        let links = now.links.since(&mut self.links);
+        let wind = now.wind.since(&mut self.wind);
+        links.into_iter().chain(wind).collect()
+    }
+
+    fn select(&mut self, vehicle: Option<u32>) {
+        self.vehicle = vehicle;
+        self.details = 0;
+        self.known.1 = 0;
+        if let Some(vehicle) = vehicle {
+            self.shared.series().follow(vehicle);
+        }
+        self.shared.want(self.number, |want| want.vehicle = vehicle);
+    }
+}
+
+impl Page for LivePage {
+    fn hear(&mut self, asked: Asked, out: &mut Vec<Message>) {
+        match asked {
+            Asked::Select { vehicle, .. } => {
+                let count = self.shared.vehicles.get().copied().unwrap_or(0);
+                match vehicle.filter(|vehicle| *vehicle >= count) {
+                    Some(none) => Self::error(
+                        out,
+                        format!("there is no vehicle {none}: they are numbered from 0, and are {count}"),
+                    ),
+                    None => self.select(vehicle),
+                }
+            }
+            Asked::Colour { by } => {
+                let names = self.shared.series().names();
+                match by.as_ref().filter(|by| !names.contains(by)) {
+                    Some(none) => Self::error(
+                        out,
+                        format!("no vehicle has a number called {none:?}; there are: {}", names.join(", ")),
+                    ),
+                    None => {
+                        self.colour.clone_from(&by);
+                        self.shared.want(self.number, |want| want.colour = by);
+                    }
+                }
+            }
+            Asked::Got { time_s } => {
+                while self.on_the_way.front().is_some_and(|sent| *sent <= time_s) {
+                    self.on_the_way.pop_front();
+                }
+            }
+            Asked::History { id } => {
+                let history = self.shared.series().history(id).cloned();
+                match history {
+                    Some(history) => {
+                        let (times_s, values) = (history.times_s, history.values);
+                        let said = Said::History {
+                            id,
+                            times_s,
+                            values,
+                        };
+                        out.push(said.message());
+                    }
+                    None => Self::error(out, format!("there is no series {id}, or nothing of it is kept")),
+                }
+            }
+            Asked::Fetch { .. } => {
+                Self::error(out, "this is a live run: what was is not kept, but recordings are");
+            }
+            // Done at once, whoever asks.
+            _ => {}
+        }
+    }
+
+    fn speak(&mut self, out: &mut Vec<Message>) -> Duration {
+        if !self.greeted {
+            self.greet(out);
+        }
+        let free = self.on_the_way.len() < ON_THE_WAY;
+        let mut beside = Vec::new();
+        let (look, time_s, ended): (Option<Arc<Look>>, f64, Option<String>) = {
+            let shared = Arc::clone(&self.shared);
+            let now = shared.now();
+            let new = now.number > self.look;
+            let (time_s, ended) = (now.look.columns.time_s, now.ended.clone());
+            let look = (new && free).then(|| Arc::clone(&now.look));
+            if look.is_some() {
+                self.skipped += (now.number - self.look - 1) * u64::from(self.look > 0);
+                self.look = now.number;
+                let ready = self.beside(&now, &mut beside);
+                out.extend(ready);
+            }
+            if let Some(vehicle) = self.vehicle {
+                let details = now.details.get(&vehicle);
+                out.extend(details.and_then(|details| details.since(&mut self.details)));
+            }
+            (look, time_s, ended)
+        };
+        out.extend(beside.iter().map(Said::message));
+        self.say_state(time_s, ended, out);
+        let (number, counts) = {
+            let series = self.shared.series();
+            (series.number(), series.counts())
+        };
+        if counts.0 > self.known.0 || (self.vehicle.is_some() && counts.1 > self.known.1) {
+            self.series(out);
+        }
+        if number > self.sample && (look.is_some() || out.len() <= 1) {
+            self.sample = number;
+            let (time_s, list) = self.shared.series().values(self.vehicle);
+            out.push(Message::Binary(values(time_s, &list)));
+        }
+        if let Some(look) = look {
+            let colour = self.colour.as_ref().and_then(|by| {
+                let mut colours = look.colours.iter();
+                colours.find(|(name, _)| name == by)
+            });
+            let colour = colour.map(|(_, values)| &**values);
+            out.push(Message::Binary(frame(&look.columns, colour)));
+            self.on_the_way.push_back(look.columns.time_s);
+        }
+        if self.on_the_way.len() < ON_THE_WAY {
+            self.shared.hungry.store(true, Ordering::Release);
+        }
+        STATE
+    }
+}
+
+impl Drop for LivePage {
+    fn drop(&mut self) {
+        self.shared.leave(self.number);
+    }
+}
+
+/// Does at once what a page asks of the run.
+pub(super) fn command(shared: &Shared, asked: &Asked) -> Result<bool, String> {
+    let Some(control) = shared.control.get() else {
+        return Ok(false);
+    };
+    match *asked {
+        Asked::Pause {} => control.pause(),
+        Asked::Resume {} => control.resume(),
+        Asked::Pace { factor } => control.set_factor(factor).map_err(|e| e.to_string())?,
+        Asked::Step {
+            instants: Some(instants),
+            seconds: None,
+        } => control.step(instants),
+        Asked::Step {
+            instants: None,
+            seconds: Some(seconds),
+        } => {
+            let wrong = || format!("a step of {seconds} s is not a time above zero");
+            let time = (seconds.is_finite() && seconds > 0.0).then(|| nanoseconds(seconds));
+            let time = time.filter(|ns| *ns > 0).ok_or_else(wrong)?;
+            control.step_by(time);
+        }
+        Asked::Step { .. } => return Err("a step has instants, or seconds".to_owned()),
+        _ => return Ok(false),
+    }
+    Ok(true)
+}

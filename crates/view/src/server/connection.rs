@@ -1,0 +1,182 @@
+//! One connection: a request, and its answer or a page.
+
+use super::guard::Refusal;
+use super::head::{Head, NoHead};
+use super::{PAGES_MAX, Shared, assets, stream};
+use std::collections::BTreeMap;
+use std::io::{Read, Write};
+use std::net::{Shutdown, TcpListener, TcpStream};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// Connections at a time, pages included: each has a thread.
+const CONNECTIONS_MAX: usize = 64;
+
+/// What a connection's thread needs on its stack at most.
+pub(super) const STACK: usize = 512 * 1024;
+
+/// How long an answer may take, and a page that reads nothing.
+pub(super) const WRITE_TIME: Duration = Duration::from_secs(20);
+
+/// The connections that are open, to be closed at the end.
+#[derive(Default)]
+pub(super) struct Door(Mutex<(u64, BTreeMap<u64, TcpStream>)>);
+
+impl Door {
+    fn open(&self, stream: &TcpStream) -> Option<u64> {
+        let clone = stream.try_clone().ok()?;
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.0 += 1;
+        let number = all.0;
+        all.1.insert(number, clone);
+        Some(number)
+    }
+
+    fn close(&self, number: u64) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.1.remove(&number);
+    }
+
+    pub(super) fn close_all(&self) {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        for stream in all.1.values() {
+            let _ = stream.shutdown(Shutdown::Both);
+        }
+    }
+}
+
+/// One of a limited number; given back when it is dropped.
+struct Place<'a>(&'a AtomicUsize);
+
+impl<'a> Place<'a> {
+    fn take(count: &'a AtomicUsize, most: usize) -> Option<Self> {
+        let taken = count.fetch_update(Ordering::AcqRel, Ordering::Acquire, |n| {
+            (n < most).then_some(n + 1)
+        });
+        taken.is_ok().then_some(Self(count))
+    }
+}
+
+impl Drop for Place<'_> {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::AcqRel);
+    }
+}
+
+/// Accepts connections until the server is dropped.
+pub(super) fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
+    loop {
+        let accepted = listener.accept();
+        if shared.closing.load(Ordering::Relaxed) {
+            return;
+        }
+        let Ok((stream, _)) = accepted else {
+            // Out of files, say: others may close theirs.
+            std::thread::sleep(Duration::from_millis(20));
+            continue;
+        };
+        if shared.connections.load(Ordering::Acquire) >= CONNECTIONS_MAX {
+            turn_away(&stream);
+            continue;
+        }
+        let shared = Arc::clone(shared);
+        let builder = std::thread::Builder::new();
+        // No thread to be had: the connection is closed.
+        let _ = builder
+            .name("view-page".to_owned())
+            .stack_size(STACK)
+            .spawn(move || {
+                let Some(_place) = Place::take(&shared.connections, CONNECTIONS_MAX) else {
+                    return turn_away(&stream);
+                };
+                if let Some(number) = shared.door.open(&stream) {
+                    serve(stream, &shared);
+                    shared.door.close(number);
+                }
+            });
+    }
+}
+
+/// Too many: an answer that waits for nothing.
+fn turn_away(mut stream: &TcpStream) {
+    let _ = stream.set_nonblocking(true);
+    let text = "too many connections\n";
+    let head = assets::answer(503, "text/plain", text.len(), None);
+    let _ = stream.write(format!("{head}{text}").as_bytes());
+}
+
+/// Answers one request.
+fn serve(mut stream: TcpStream, shared: &Arc<Shared>) {
+    let _ = stream.set_nodelay(true);
+    let _ = stream.set_write_timeout(Some(WRITE_TIME));
+    let head = match Head::read(&mut stream) {
+        Ok(head) => head,
+        Err(NoHead::Gone) => return,
+        Err(NoHead::TooLong) => return refuse(stream, (431, "this head is too long")),
+        Err(NoHead::Garbage) => return refuse(stream, (400, "this is no request")),
+    };
+    if let Err(refusal) = shared.guard.admit(&head) {
+        return refuse(stream, refusal);
+    }
+    if head.path == "/stream" {
+        return match welcome(&head, shared) {
+            Ok(place) => {
+                stream::talk(stream, &head, shared);
+                drop(place);
+            }
+            Err(refusal) => refuse(stream, refusal),
+        };
+    }
+    let source = shared.source.get();
+    let texture = || {
+        let (media_type, bytes) = source?.texture(assets::texture(&head)?)?;
+        Some((media_type, bytes.to_vec()))
+    };
+    match assets::file(&head.path, shared.guard.token()).or_else(texture) {
+        Some((media_type, bytes)) => {
+            let answer = assets::answer(200, media_type, bytes.len(), head.only("host"));
+            send(stream, answer.as_bytes(), &bytes);
+        }
+        None => refuse(stream, (404, "there is no such file; the page is at /")),
+    }
+}
+
+/// Whether this becomes a page.
+fn welcome<'a>(head: &Head, shared: &'a Shared) -> Result<Place<'a>, Refusal> {
+    shared.guard.admit_page(head)?;
+    let asks = head.lists("connection", "upgrade")
+        && head.lists("upgrade", "websocket")
+        && head.only("sec-websocket-version") == Some("13")
+        && head.only("sec-websocket-key").is_some_and(|key| key.len() == 24);
+    if !asks {
+        return Err((426, "this is a WebSocket, version 13"));
+    }
+    let place = Place::take(&shared.pages, PAGES_MAX)
+        .ok_or((503, "too many pages look at this run: close one"))?;
+    shared.visited.store(true, Ordering::Relaxed);
+    Ok(place)
+}
+
+fn refuse(stream: TcpStream, (status, text): Refusal) {
+    let text = format!("{text}\n");
+    let answer = assets::answer(status, "text/plain; charset=utf-8", text.len(), None);
+    send(stream, answer.as_bytes(), text.as_bytes());
+}
+
+/// Sends an answer, and lets the other side read it: a socket that is closed with unread bytes in it
+/// takes back what was sent.
+fn send(mut stream: TcpStream, head: &[u8], body: &[u8]) {
+    if stream.write_all(head).is_err() || stream.write_all(body).is_err() {
+        return;
+    }
+    let _ = stream.shutdown(Shutdown::Write);
+    let _ = stream.set_read_timeout(Some(Duration::from_millis(500)));
+    let mut block = [0; 1024];
+    for _ in 0..64 {
+        match stream.read(&mut block) {
+            Ok(count) if count > 0 => {}
+            _ => return,
+        }
+    }
+}
