@@ -226,11 +226,12 @@ fn docs(input: &DeriveInput) -> String {
 
 /// Where the model API lives for the crate being compiled: users see it through the facade.
 fn home() -> String {
-    const HOUSE: [&str; 4] = [
+    const HOUSE: [&str; 5] = [
         "simbeeotic-model",
         "simbeeotic-models",
         "simbeeotic-record",
         "simbeeotic-scenario",
+        "simbeeotic-view",
     ];
     match std::env::var("CARGO_PKG_NAME") {
         Ok(name) if HOUSE.contains(&name.as_str()) => "::simbeeotic_model".to_owned(),

@@ -74,6 +74,7 @@ pub use simbeeotic_radio as radio;
 pub use simbeeotic_record as record;
 pub use simbeeotic_scenario as scenario;
 pub use simbeeotic_units as units;
+pub use simbeeotic_view as view;
 pub use simbeeotic_world as world;
 
 mod library;

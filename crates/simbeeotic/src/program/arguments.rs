@@ -19,6 +19,8 @@ pub(super) struct Arguments {
 const FIRST_STEPS: &str = "\
 First steps:
   simbeeotic run scenarios/first-swarm.toml      fly a hundred bees
+  simbeeotic run scenarios/first-swarm.toml --view --open
+                                                 watch them
   simbeeotic list                                what a scenario can name
   simbeeotic describe instrument-bee             a part's parameters, with units and defaults
   simbeeotic plot links run.mcap -o links.svg    who heard whom
@@ -92,6 +94,7 @@ Examples:
   simbeeotic run scenarios/first-swarm.toml --set model.bee.count=1000
   simbeeotic run scenarios/first-swarm.toml --set model.bee.params.max_speed=\"3 m/s\"
   simbeeotic run scenarios/figure12.toml --record run.mcap
+  simbeeotic run scenarios/first-swarm.toml --view --open --paused
 
 Ctrl-C or SIGTERM ends a run early: its recording is closed, its summary shown, the exit code 130.";
 
@@ -159,9 +162,10 @@ pub(super) struct RunOptions {
     /// Threads that run models; the trace is the same for any number [default: one for each core]
     #[arg(long, value_parser = threads, allow_negative_numbers = true)]
     pub(super) threads: Option<usize>,
-    /// Run at most this many times faster than the wall clock [default: as fast as it can]
+    /// Run at most this many times faster than the wall clock, or `max`: as fast as it can [default: what
+    /// the scenario says, else max; 1 with --view]
     #[arg(long, value_name = "FACTOR", value_parser = factor, allow_hyphen_values = true)]
-    pub(super) real_time: Option<f64>,
+    pub(super) real_time: Option<Factor>,
     /// End the run after this much wall time, with a unit: "10 min"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) wall_time: Option<String>,
@@ -174,12 +178,35 @@ pub(super) struct RunOptions {
     /// Print what models write to the log, as it happens
     #[arg(long)]
     pub(super) log: bool,
+    /// Show the run on a page, live; its address is printed
+    #[arg(long)]
+    pub(super) view: bool,
+    /// Do not start before the page says so
+    #[arg(long, requires = "view")]
+    pub(super) paused: bool,
+    #[command(flatten)]
+    pub(super) page: PageOptions,
     /// No progress bar, no summary: errors only
     #[arg(long, short)]
     pub(super) quiet: bool,
     /// Print the summary as JSON on standard output
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// Where a page is served.
+#[derive(Args, Clone, Debug, Default)]
+pub(super) struct PageOptions {
+    /// Start the browser
+    #[arg(long)]
+    pub(super) open: bool,
+    /// Port of the page, 0 for any that is free [default: 8470 if it is free, else any]
+    #[arg(long, value_name = "PORT", allow_negative_numbers = true)]
+    pub(super) port: Option<u16>,
+    /// Address to serve the page at; from any but 127.0.0.1 other machines reach it, with the token that
+    /// is printed [default: 127.0.0.1]
+    #[arg(long, value_name = "ADDRESS")]
+    pub(super) address: Option<String>,
 }
 
 #[derive(Args)]
@@ -429,10 +456,20 @@ pub(super) fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
-fn factor(text: &str) -> Result<f64, String> {
+/// How fast a run may go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Factor {
+    /// As fast as it can.
+    Max,
+    /// So many virtual seconds a second.
+    Times(f64),
+}
+
+fn factor(text: &str) -> Result<Factor, String> {
     match text.parse::<f64>() {
-        Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(factor),
-        _ => Err("a real-time factor is a number above zero, such as 1 or 2.5".to_owned()),
+        _ if text == "max" => Ok(Factor::Max),
+        Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(Factor::Times(factor)),
+        _ => Err("a real-time factor is a number above zero, such as 1 or 2.5, or max".to_owned()),
     }
 }
 

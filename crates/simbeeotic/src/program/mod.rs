@@ -22,6 +22,7 @@ mod plot;
 mod run;
 mod shelf;
 mod show;
+mod view;
 mod world;
 
 use arguments::{Arguments, Command};

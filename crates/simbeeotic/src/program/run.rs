@@ -1,8 +1,8 @@
 //! `run` and `check`.
 
-use super::arguments::{RunOptions, ScenarioOptions};
+use super::arguments::{Factor, RunOptions, ScenarioOptions};
 use super::input::{self, time};
-use super::{Failure, remark, same_file, say, show};
+use super::{Failure, complain, remark, same_file, say, show, view};
 use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::{Setup, Simulation, SimulationError};
@@ -25,14 +25,19 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     if let Some(threads) = options.threads {
         setup.threads = threads;
     }
-    if let Some(factor) = options.real_time {
-        setup.pace = Some(factor);
+    match options.real_time {
+        Some(Factor::Times(factor)) => setup.pace = Some(factor),
+        Some(Factor::Max) => setup.pace = None,
+        // To be looked at.
+        None if options.view => setup.pace = setup.pace.or(Some(1.0)),
+        None => {}
     }
     if let Some(text) = &options.wall_time {
         let wall = time("--wall-time", text)?;
         setup.limits.wall = std::time::Duration::try_from_secs_f64(wall.get()).ok();
     }
     choose_recording(&mut setup, &loaded, &options)?;
+    let visitors = view::choose_viewer(&mut setup, &loaded, &options)?;
     if options.log {
         setup
             .components
@@ -69,10 +74,19 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     } else {
         Ok(())
     };
-    match outcome.error {
+    let mut result = match &outcome.error {
         Some(error) => Err(Failure::run(error)),
         None => said,
-    }?;
+    };
+    if let Some(visitors) = visitors
+        && !interrupted.load(Ordering::Relaxed)
+    {
+        if let Err(failure) = &mut result {
+            complain(&std::mem::take(&mut failure.message));
+        }
+        view::linger(&visitors, &interrupted);
+    }
+    result?;
     if summary.ended == INTERRUPTED && interrupted.load(Ordering::Relaxed) {
         return Err(Failure::interrupted());
     }
@@ -86,13 +100,19 @@ const INTERRUPTED: &str = "interrupted";
 /// summary shown; a second one ends the program at once. Tells whether there was one.
 fn stop_on_interrupt(simulation: &Simulation) -> Arc<AtomicBool> {
     let control = simulation.control();
+    at_interrupt(move || control.stop(INTERRUPTED))
+}
+
+/// Does something at the first Ctrl-C or SIGTERM, and tells whether there was one; a second one ends the
+/// program at once.
+pub(super) fn at_interrupt(act: impl Fn() + Send + 'static) -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     on_interrupt(move || {
         if flag.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
-        control.stop(INTERRUPTED);
+        act();
     });
     interrupted
 }

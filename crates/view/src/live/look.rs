@@ -60,7 +60,9 @@ fn fill(look: &mut Look, view: &View<'_>, bodies: &[ModelId], colours: Vec<(Stri
         let velocity = view.velocity(*id).unwrap_or_default();
         let q = pose.attitude.quat();
         let single = |v: [f64; 3]| v.map(|part| part as f32);
-        columns.positions.push(single(pose.position.si().to_array()));
+        columns
+            .positions
+            .push(single(pose.position.si().to_array()));
         columns.velocities.push(single(velocity.si().to_array()));
         columns
             .attitudes

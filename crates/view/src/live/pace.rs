@@ -91,7 +91,11 @@ mod tests {
             now_s += step_s;
             wall_s += step_s / speed;
             gaps.push(step_s / speed);
-            pace.looked((now_s * 1e9) as u64, Duration::from_secs_f64(wall_s), watched);
+            pace.looked(
+                (now_s * 1e9) as u64,
+                Duration::from_secs_f64(wall_s),
+                watched,
+            );
         }
         gaps
     }

@@ -103,6 +103,11 @@ impl LivePage {
             let now = self.shared.now();
             let (list, dropped) = now.marks.since(0, MARKS_KEPT);
             self.marks = now.marks.end();
+            // A run that goes on takes a new look at once; one that stands has nothing newer to show.
+            let control = self.shared.control.get();
+            if now.ended.is_none() && !control.is_some_and(|control| control.is_paused()) {
+                self.look = now.number;
+            }
             (list, dropped, now.packets.end())
         };
         self.packets = packets;
@@ -157,7 +162,11 @@ impl LivePage {
             time_s,
             paused,
             factor: control.and_then(|control| control.factor()),
-            speed: if still { 0.0 } else { (time_s - from_s) / passed_s },
+            speed: if still {
+                0.0
+            } else {
+                (time_s - from_s) / passed_s
+            },
             ended,
             events: progress.map_or(0, |progress| progress.events()),
             viewers: shared.pages.load(Ordering::Relaxed),
@@ -237,7 +246,9 @@ impl Page for LivePage {
                 match vehicle.filter(|vehicle| *vehicle >= count) {
                     Some(none) => Self::error(
                         out,
-                        format!("there is no vehicle {none}: they are numbered from 0, and are {count}"),
+                        format!(
+                            "there is no vehicle {none}: they are numbered from 0, and are {count}"
+                        ),
                     ),
                     None => self.select(vehicle),
                 }
@@ -247,7 +258,10 @@ impl Page for LivePage {
                 match by.as_ref().filter(|by| !names.contains(by)) {
                     Some(none) => Self::error(
                         out,
-                        format!("no vehicle has a number called {none:?}; there are: {}", names.join(", ")),
+                        format!(
+                            "no vehicle has a number called {none:?}; there are: {}",
+                            names.join(", ")
+                        ),
                     ),
                     None => {
                         self.colour.clone_from(&by);
@@ -272,11 +286,17 @@ impl Page for LivePage {
                         };
                         out.push(said.message());
                     }
-                    None => Self::error(out, format!("there is no series {id}, or nothing of it is kept")),
+                    None => Self::error(
+                        out,
+                        format!("there is no series {id}, or nothing of it is kept"),
+                    ),
                 }
             }
             Asked::Fetch { .. } => {
-                Self::error(out, "this is a live run: what was is not kept, but recordings are");
+                Self::error(
+                    out,
+                    "this is a live run: what was is not kept, but recordings are",
+                );
             }
             // Done at once, whoever asks.
             _ => {}

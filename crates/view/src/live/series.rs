@@ -281,7 +281,11 @@ mod tests {
             history.push(f64::from(tick) * 0.1, f64::from(tick));
         }
         let times = &history.times_s;
-        assert!((POINTS_MAX / 4..=POINTS_MAX).contains(&times.len()), "{}", times.len());
+        assert!(
+            (POINTS_MAX / 4..=POINTS_MAX).contains(&times.len()),
+            "{}",
+            times.len()
+        );
         assert_eq!(times.len(), history.values.len());
         assert_eq!(times[0], 0.0);
         assert!(times[times.len() - 1] > 99_000.0);
@@ -298,7 +302,11 @@ mod tests {
         series.publish("pollen", "g", 1, f64::NAN);
         series.set(speed, 2.0);
         series.sampled(1.0);
-        let names: Vec<String> = series.statistics_from(0).into_iter().map(|s| s.name).collect();
+        let names: Vec<String> = series
+            .statistics_from(0)
+            .into_iter()
+            .map(|s| s.name)
+            .collect();
         assert_eq!(names, ["speed", "pollen/sum", "pollen/mean"]);
         let (time_s, values) = series.values(Some(2));
         assert_eq!(time_s, 1.0);
@@ -307,7 +315,10 @@ mod tests {
         assert_eq!((column[0], column[2]), (1.0, 5.0));
         let history = series.history(COLUMN + 2).expect("the swarm is small");
         assert_eq!(history.values, [5.0]);
-        assert!(series.history(COLUMN + 1).is_none(), "it has published nothing");
+        assert!(
+            series.history(COLUMN + 1).is_none(),
+            "it has published nothing"
+        );
     }
 
     #[test]

@@ -62,7 +62,7 @@ impl<T: Clone> Ring<T> {
         (list.collect(), new - count as u64)
     }
 
-    pub(super) fn iter(&self) -> impl DoubleEndedIterator<Item = &T> {
+    pub(super) fn iter(&self) -> impl DoubleEndedIterator<Item = &T> + Clone {
         self.kept.iter()
     }
 }
@@ -120,7 +120,10 @@ pub(super) struct Wants {
 
 impl Wants {
     pub(super) fn vehicles(&self) -> BTreeSet<u32> {
-        self.pages.values().filter_map(|want| want.vehicle).collect()
+        self.pages
+            .values()
+            .filter_map(|want| want.vehicle)
+            .collect()
     }
 
     pub(super) fn colours(&self) -> BTreeSet<String> {

@@ -52,9 +52,7 @@ impl Traffic {
     pub(super) fn new(view: &View<'_>, vehicle: impl Fn(usize) -> Option<u32>) -> Option<Self> {
         let radios = view.radios().len() as u32;
         let owner = |id: u32| view.radio_owner(RadioId(id)).map(|owner| owner.index());
-        let owners: Vec<_> = (0..radios)
-            .map(|id| owner(id).and_then(&vehicle))
-            .collect();
+        let owners: Vec<_> = (0..radios).map(|id| owner(id).and_then(&vehicle)).collect();
         (!owners.is_empty()).then(|| Self {
             owners,
             open: BTreeMap::new(),
@@ -140,7 +138,10 @@ impl Traffic {
             return;
         }
         for listener in &open.listeners {
-            self.pairs.entry((open.from.0, listener.0)).or_default().sent += 1;
+            self.pairs
+                .entry((open.from.0, listener.0))
+                .or_default()
+                .sent += 1;
         }
         for (receiver, (_, rssi_dbm)) in open.receivers.iter().zip(&open.packet.to) {
             let sum = self.pairs.entry((open.from.0, receiver.0)).or_default();

@@ -20,8 +20,8 @@ use simbeeotic_model::{
     BuildError, Component, ComponentError, FromParams, Mark, Note, Summary, Thing, View, component,
     params,
 };
-use simbeeotic_record::stage::{Piece, Stage, pieces_of};
 use simbeeotic_record::Vehicle;
+use simbeeotic_record::stage::{Piece, Stage, pieces_of};
 use std::collections::{BTreeMap, BTreeSet};
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -75,6 +75,8 @@ pub struct Viewer {
     framed_ns: Option<u64>,
     detailed: Option<Duration>,
     winded: Option<Duration>,
+    /// Whether there was no wind at all.
+    calm: bool,
 }
 
 /// Parameters of [`Viewer`].
@@ -171,6 +173,7 @@ impl FromParams for Viewer {
             framed_ns: None,
             detailed: None,
             winded: None,
+            calm: false,
         })
     }
 }
@@ -309,7 +312,11 @@ impl Viewer {
                     self.selected.insert(*vehicle, Selected::new(view, *id));
                 }
             }
-            let path = |vehicle: &u32| view.population().path(self.bodies[*vehicle as usize]).to_owned();
+            let path = |vehicle: &u32| {
+                view.population()
+                    .path(self.bodies[*vehicle as usize])
+                    .to_owned()
+            };
             self.paths = self.selected.keys().map(path).collect();
             self.detailed = None;
             self.interest += 1;
@@ -451,7 +458,8 @@ impl Viewer {
             let air = view.radio_counters(None);
             let before = std::mem::replace(&mut statistics.last_air, air);
             let air = statistics.last_air;
-            let since = |what: fn(&Counters) -> u64| what(&air).saturating_sub(what(&before)) as f64;
+            let since =
+                |what: fn(&Counters) -> u64| what(&air).saturating_sub(what(&before)) as f64;
             let (sent, received) = (since(|c| c.sent), since(|c| c.received));
             let missed = since(|c| c.missed() - c.lost(Loss::OutOfRange));
             series.set(statistics.sent, sent / passed_s);
@@ -491,7 +499,10 @@ impl Viewer {
         let same = held && self.framed_ns == Some(now_ns) && colours.is_empty();
         self.framed = Some(wall);
         let ended = self.traffic.as_mut().map(|traffic| traffic.ended(now_ns));
-        let links = self.traffic.as_mut().and_then(|traffic| traffic.links(now_ns));
+        let links = self
+            .traffic
+            .as_mut()
+            .and_then(|traffic| traffic.links(now_ns));
         let look = (!same).then(|| self.looks.take(view, &self.bodies, colours));
         let wind = (look.as_ref())
             .filter(|_| since(self.winded).is_none_or(|passed| passed >= WIND))
@@ -511,8 +522,10 @@ impl Viewer {
             let t = view.now().as_secs_f64();
             now.links.set(Said::Links { t, period_s, list }.message());
         }
-        if let Some(wind) = wind.filter(|wind| now.wind.message.as_ref() != Some(wind)) {
-            now.wind.set(wind);
+        if let Some(arrows) = wind.filter(|arrows| !(self.calm && arrows.is_empty())) {
+            self.calm = arrows.is_empty();
+            let t = view.now().as_secs_f64();
+            now.wind.set(Said::Wind { t, arrows }.message());
         }
         for (vehicle, said) in details {
             now.details.entry(vehicle).or_default().set(said.message());
@@ -531,7 +544,8 @@ impl Viewer {
         let packets = |vehicle: &u32| {
             let traffic = self.traffic.as_ref();
             let list = traffic.and_then(|traffic| traffic.remembered.get(vehicle));
-            list.map(|list| list.iter().cloned().collect()).unwrap_or_default()
+            list.map(|list| list.iter().cloned().collect())
+                .unwrap_or_default()
         };
         let selected = self.selected.iter();
         selected

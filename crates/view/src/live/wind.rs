@@ -1,7 +1,6 @@
 //! Arrows of wind, on a grid around the swarm.
 
 use super::look::Look;
-use crate::wire::{Message, Said};
 use simbeeotic_model::View;
 use simbeeotic_model::units::Position;
 
@@ -13,7 +12,7 @@ const UPWARDS: u32 = 3;
 const LEAST_M: f32 = 5.0;
 
 /// The wind around the swarm; no arrows where there is none.
-pub(super) fn arrows(view: &View<'_>, look: &Look) -> Message {
+pub(super) fn arrows(view: &View<'_>, look: &Look) -> Vec<[f32; 6]> {
     let (low, high) = bounds(&look.columns.positions);
     let place = |axis: usize, at: u32, of: u32| {
         low[axis] + (high[axis] - low[axis]) * at as f32 / (of - 1) as f32
@@ -35,8 +34,7 @@ pub(super) fn arrows(view: &View<'_>, look: &Look) -> Message {
             }
         }
     }
-    let t = view.now().as_secs_f64();
-    Said::Wind { t, arrows }.message()
+    arrows
 }
 
 /// The box that holds everybody, somewhat widened.

@@ -22,10 +22,7 @@ fn index(token: Option<&str>) -> String {
         return INDEX.to_owned();
     };
     let with = |page: String, name: &str| {
-        page.replace(
-            &format!("\"{name}\""),
-            &format!("\"{name}?token={token}\""),
-        )
+        page.replace(&format!("\"{name}\""), &format!("\"{name}?token={token}\""))
     };
     with(with(INDEX.to_owned(), "page.js"), "page.css")
 }
@@ -89,7 +86,11 @@ mod tests {
         for name in ["..", "a/b", "", "%2e", "..\\a"] {
             let text = format!("GET /textures/{name} HTTP/1.1\r\nHost: a\r\n\r\n");
             let head = Head::parse(text.as_bytes());
-            assert!(head.ok().and_then(|h| texture(&h).map(str::to_owned)).is_none());
+            assert!(
+                head.ok()
+                    .and_then(|h| texture(&h).map(str::to_owned))
+                    .is_none()
+            );
         }
     }
 }

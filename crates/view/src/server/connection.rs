@@ -148,7 +148,9 @@ fn welcome<'a>(head: &Head, shared: &'a Shared) -> Result<Place<'a>, Refusal> {
     let asks = head.lists("connection", "upgrade")
         && head.lists("upgrade", "websocket")
         && head.only("sec-websocket-version") == Some("13")
-        && head.only("sec-websocket-key").is_some_and(|key| key.len() == 24);
+        && head
+            .only("sec-websocket-key")
+            .is_some_and(|key| key.len() == 24);
     if !asks {
         return Err((426, "this is a WebSocket, version 13"));
     }

@@ -101,10 +101,7 @@ mod tests {
     use super::*;
 
     fn guard(bound: &str, token: Option<&str>) -> Guard {
-        Guard::new(
-            bound.parse().expect("an address"),
-            token.map(str::to_owned),
-        )
+        Guard::new(bound.parse().expect("an address"), token.map(str::to_owned))
     }
 
     fn head(target: &str, lines: &[&str]) -> Head {
@@ -153,7 +150,13 @@ mod tests {
         let own = ["Host: 192.168.0.7:8470"];
         assert_eq!(code(&guard, "/?token=0123", &own), 200);
         assert_eq!(code(&guard, "/page.js?x=1&token=0123", &own), 200);
-        for target in ["/", "/?token=0124", "/?token=012", "/?token=01234", "/?token="] {
+        for target in [
+            "/",
+            "/?token=0124",
+            "/?token=012",
+            "/?token=01234",
+            "/?token=",
+        ] {
             assert_eq!(code(&guard, target, &own), 401, "{target}");
         }
         assert_eq!(code(&guard, "/?token=0123", &["Host: evil.example"]), 403);

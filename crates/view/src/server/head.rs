@@ -106,7 +106,10 @@ impl Head {
 
     /// The value of a key of the query, as it stands there.
     pub(super) fn query(&self, key: &str) -> Option<&str> {
-        let mut pairs = self.query.split('&').filter_map(|pair| pair.split_once('='));
+        let mut pairs = self
+            .query
+            .split('&')
+            .filter_map(|pair| pair.split_once('='));
         pairs.find(|(name, _)| *name == key).map(|(_, value)| value)
     }
 }
@@ -125,7 +128,10 @@ mod tests {
     fn a_head_is_taken_apart() {
         let text = b"GET /stream?a=1&token=xyz HTTP/1.1\r\nHost: localhost\r\nConnection: keep-alive, Upgrade\r\n\r\nmore";
         let head = Head::parse(text).expect("a head");
-        assert_eq!((head.method.as_str(), head.path.as_str()), ("GET", "/stream"));
+        assert_eq!(
+            (head.method.as_str(), head.path.as_str()),
+            ("GET", "/stream")
+        );
         assert_eq!(head.query("token"), Some("xyz"));
         assert_eq!(head.query("b"), None);
         assert!(head.lists("connection", "upgrade"));
@@ -141,7 +147,12 @@ mod tests {
             b"GET\r\n\r\n",
             b"GET / HTTP/9.9\r\n\r\n",
             b"GET / HTTP/1.1\r\nHost: \xff\xfe\r\n\r\n",
-            &[b"GET / HTTP/1.1\r\n".to_vec(), b"A: b\r\n".repeat(100), b"\r\n".to_vec()].concat(),
+            &[
+                b"GET / HTTP/1.1\r\n".to_vec(),
+                b"A: b\r\n".repeat(100),
+                b"\r\n".to_vec(),
+            ]
+            .concat(),
         ] {
             assert_eq!(Head::parse(bytes).err(), Some(NoHead::Garbage));
         }

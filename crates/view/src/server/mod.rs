@@ -94,7 +94,9 @@ pub enum ServerError {
         port: u16,
     },
     /// The machine has no such address.
-    #[error("{address} is no address of this machine; 127.0.0.1 is, and 0.0.0.0 stands for all of them")]
+    #[error(
+        "{address} is no address of this machine; 127.0.0.1 is, and 0.0.0.0 stands for all of them"
+    )]
     NoSuchAddress {
         /// The address.
         address: IpAddr,

@@ -198,7 +198,10 @@ fn read(stream: &TcpStream, rest: &[u8], line: &Line, source: &dyn Source) -> bo
             }
             Ok(Heard::Ping(_) | Heard::Pong(_)) => continue,
             Ok(Heard::Binary(_)) => {
-                line.close(CloseCode::Unsupported, "this is no JSON but binary".to_owned());
+                line.close(
+                    CloseCode::Unsupported,
+                    "this is no JSON but binary".to_owned(),
+                );
                 return true;
             }
             Ok(_) => continue,
@@ -244,7 +247,7 @@ fn write(mut stream: &TcpStream, line: &Line, mut page: Box<dyn Page>) -> io::Re
     let mut last = Instant::now();
     let (mut out, mut head) = (Vec::new(), Vec::new());
     loop {
-        let (heard, pongs, last_words, farewell) = {
+        let (heard, pongs, last_words, over) = {
             let mut inbox = line.inbox();
             if inbox.gone {
                 return Ok(());
@@ -255,7 +258,7 @@ fn write(mut stream: &TcpStream, line: &Line, mut page: Box<dyn Page>) -> io::Re
         };
         line.room.notify_all();
         stream.write_all(&pongs)?;
-        if farewell {
+        if over {
             return Ok(());
         }
         for asked in heard {

@@ -106,7 +106,10 @@ mod tests {
         assert_eq!(read(r#"{"type":"pace","factor":2.0}"#), pace(Some(2.0)));
         assert_eq!(read(r#"{"type":"pace","factor":null}"#), pace(None));
         let select = |vehicle, t| Asked::Select { vehicle, t };
-        assert_eq!(read(r#"{"type":"select","vehicle":3}"#), select(Some(3), None));
+        assert_eq!(
+            read(r#"{"type":"select","vehicle":3}"#),
+            select(Some(3), None)
+        );
         assert_eq!(
             read(r#"{"type":"select","vehicle":null,"t":4.5}"#),
             select(None, Some(4.5))

@@ -153,9 +153,7 @@ impl Forms {
     }
 
     fn pieces(&mut self, pieces: &[Piece]) -> Value {
-        let piece = |piece: &Piece| {
-            json!({ "form": self.form(&piece.form), "at": piece.position_m, "turn": piece.attitude })
-        };
+        let piece = |piece: &Piece| json!({ "form": self.form(&piece.form), "at": piece.position_m, "turn": piece.attitude });
         pieces.iter().map(piece).collect()
     }
 
@@ -299,8 +297,7 @@ mod tests {
             replay: None,
         };
         let value: Value = serde_json::from_slice(hello.message().bytes()).expect("it is JSON");
-        let at_origin =
-            |form: u32| json!({ "form": form, "at": [0.0, 0.0, 0.0], "turn": [1.0, 0.0, 0.0, 0.0] });
+        let at_origin = |form: u32| json!({ "form": form, "at": [0.0, 0.0, 0.0], "turn": [1.0, 0.0, 0.0, 0.0] });
         let expected = json!({
             "type": "hello", "protocol": 1, "mode": "live", "name": "four", "seed": "1",
             "version": "0.1.0", "end_s": null, "truncated": false,

@@ -319,7 +319,8 @@ mod tests {
             times_s: vec![0.0, 1.0],
             values: vec![f64::NAN, f64::INFINITY],
         };
-        let expected = json!({ "type": "history", "id": 8, "times_s": [0.0, 1.0], "values": [null, null] });
+        let expected =
+            json!({ "type": "history", "id": 8, "times_s": [0.0, 1.0], "values": [null, null] });
         assert_eq!(said(history), expected);
     }
 
