@@ -1,16 +1,23 @@
 // Builds the page into dist/, which is checked in: the program embeds it, and building the program needs no npm.
+//   node build.mjs [FOLDER]
 import { build } from "esbuild";
 import { cpSync, mkdirSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 
-mkdirSync("dist", { recursive: true });
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const folder = process.argv[2] ?? here("dist");
+
+mkdirSync(folder, { recursive: true });
 await build({
+  absWorkingDir: here("."),
   entryPoints: { page: "src/main.ts" },
-  outdir: "dist",
+  outdir: folder,
   bundle: true,
   minify: true,
   format: "esm",
   target: "es2022",
+  charset: "utf8",
   legalComments: "inline",
-  logLevel: "info",
+  logLevel: "warning",
 });
-cpSync("src/index.html", "dist/index.html");
+cpSync(here("src/index.html"), `${folder}/index.html`);

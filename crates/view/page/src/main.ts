@@ -41,6 +41,16 @@ const connection = new Connection(streamAddress(location), {
 });
 root.append(lostLine(connection.link, () => run, () => connection.retry()));
 
+/** For tests, and for people at the browser's console. */
+Object.assign(window, {
+  simbeeotic: {
+    place: () => page?.place(),
+    stats: () => page?.stats(),
+    time_s: () => run?.time.value,
+    frame: () => run?.player.frame,
+  },
+});
+
 addEventListener("error", (event) => run?.say(`Something went wrong on this page: ${event.message}`, true));
 addEventListener("unhandledrejection", (event) => run?.say(`Something went wrong on this page: ${event.reason}`, true));
 

@@ -19,12 +19,17 @@ import { replayActions, replayBar } from "./ui/replaybar";
 import { topBar } from "./ui/topbar";
 import { vehiclesPanel } from "./ui/vehicles";
 
+/** Pictures that take no longer are drawn as often as the screen wants one. */
+const QUICK_MS = 20;
+const LONGEST_REST_MS = 2000;
+
 export class Page {
   private readonly element: HTMLElement;
   private readonly layout = new Layout();
   private readonly scene: SceneView | null;
   private readonly noScene: string = "";
   private beat = 0;
+  private drawn_ms = -Infinity;
   private hidden = false;
 
   constructor(
@@ -133,6 +138,11 @@ export class Page {
     if (place.follow !== undefined) run.following.value = place.follow && run.selected.value !== null;
   }
 
+  /** Pictures drawn so far, and their mean time. */
+  stats(): { drawn: number; ms: number } {
+    return this.scene?.stats() ?? { drawn: 0, ms: 0 };
+  }
+
   /** Takes the page away; the answer shows the next one the same. */
   dispose(): Place {
     const place = this.place();
@@ -148,9 +158,18 @@ export class Page {
     if (this.beat !== 0 || this.run.gone.signal.aborted) return;
     this.beat = requestAnimationFrame((now_ms) => {
       this.beat = 0;
-      this.draw(now_ms);
+      // Where pictures take long, as without a graphics card, the page has time for all else between them.
+      if (now_ms - this.drawn_ms >= this.rest()) {
+        this.drawn_ms = now_ms;
+        this.draw(now_ms);
+      }
       if (this.run.player.busy) this.wake();
     });
+  }
+
+  private rest(): number {
+    const { ms } = this.stats();
+    return ms < QUICK_MS ? 0 : Math.min(1.25 * ms, LONGEST_REST_MS);
   }
 
   private draw(now_ms: number): void {

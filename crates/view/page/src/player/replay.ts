@@ -250,8 +250,10 @@ export class ReplayPlayer implements Player {
     const running = this.fetch;
     if (!want) return;
     if (running && performance.now() - running.sent_ms < PATIENCE_MS) {
-      // A picture that somebody waits for goes before all that is fetched ahead, unless that brings it too.
-      if (want.why !== "now" || running.why === "now") return;
+      // What plays goes before a look at the whole; a picture that somebody waits for before all that is
+      // fetched ahead, unless that brings it too.
+      const urgent = want.why === "now" || (want.why === "ahead" && running.why === "overview" && this.playing.value);
+      if (!urgent || running.why === "now") return;
       if (running.why === "ahead" && running.from_s <= want.from_s && want.from_s <= running.to_s) return;
     }
     if (nameOf(want) === this.barren) return;

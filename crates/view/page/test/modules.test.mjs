@@ -1,0 +1,257 @@
+// What needs no browser: messages, links, numbers, the cache and the plan of a replay; and that dist is built.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { sources } from "./sources.mjs";
+
+const { decode, place, format, series, replay, live, keys } = await sources({
+  decode: "decode.ts",
+  place: "core/place.ts",
+  format: "core/format.ts",
+  series: "core/series.ts",
+  replay: "player/replay.ts",
+  live: "player/live.ts",
+  keys: "ui/keys.ts",
+});
+
+function frameBytes(time, n, columns) {
+  const size = 16 + 12 * n + (columns & 1 ? 12 * n : 0) + (columns & 2 ? 4 * n : 0) + 8 * n;
+  const bytes = new ArrayBuffer(size);
+  const view = new DataView(bytes);
+  view.setUint8(0, 1);
+  view.setUint8(1, columns);
+  view.setUint32(4, n, true);
+  view.setFloat64(8, time, true);
+  for (let k = 0; k < 3 * n; k += 1) view.setFloat32(16 + 4 * k, k + 0.5, true);
+  if (columns & 2) for (let k = 0; k < n; k += 1) view.setFloat32(size - 12 * n + 4 * k, 10 * k, true);
+  for (let k = 0; k < 4 * n; k += 1) view.setInt16(size - 8 * n + 2 * k, -k, true);
+  return bytes;
+}
+
+const frameAt = (time) => decode.decode(frameBytes(time, 2, 1)).frame;
+
+test("a frame is read with any of its columns", () => {
+  for (const columns of [0, 1, 2, 3]) {
+    const { kind, frame } = decode.decode(frameBytes(2.5, 3, columns));
+    assert.equal(kind, "frame");
+    assert.equal(frame.time, 2.5);
+    assert.equal(frame.n, 3);
+    assert.deepEqual([...frame.positions.slice(0, 3)], [0.5, 1.5, 2.5]);
+    assert.equal(frame.velocities === null, (columns & 1) === 0);
+    assert.deepEqual(frame.values && [...frame.values], columns & 2 ? [0, 10, 20] : null);
+    assert.equal(frame.attitudes[11], -11);
+  }
+});
+
+test("a message that is cut short or of another kind is none", () => {
+  const whole = frameBytes(0, 3, 3);
+  for (const size of [0, 8, 16, 40, whole.byteLength - 1]) assert.equal(decode.decode(whole.slice(0, size)), null);
+  const other = frameBytes(0, 0, 0);
+  new DataView(other).setUint8(0, 77);
+  assert.equal(decode.decode(other), null);
+  const many = frameBytes(0, 0, 0);
+  new DataView(many).setUint32(4, 0xffffffff, true);
+  assert.equal(decode.decode(many), null);
+});
+
+test("a link is read as it was written", () => {
+  const view = {
+    t_s: 12.5,
+    camera: { from: [1.25, -2, 3], at: [0, 0, 5.001], flat: true },
+    select: "hive/bee 3&4",
+    follow: true,
+    layers: { labels: true, trails: false, links: true, packets: false, beams: false, wind: true, grid: false, world: true },
+    colour: { by: "value", name: "net/hops" },
+    theme: "dark",
+    charts: [{ name: "packets/sent", own: false }, { name: "battery/soc", own: true }],
+    panels: ["layers", "charts"],
+  };
+  assert.deepEqual(place.readPlace(`#${place.writePlace(view)}`), view);
+  assert.deepEqual(place.readPlace(""), {});
+});
+
+test("a link with nonsense in it is read as far as it makes sense", () => {
+  const view = place.readPlace("#t=soon&camera=1,2,x,4,5,6&theme=pink&colour=smell&select=bee-1");
+  assert.deepEqual(view, { select: "bee-1" });
+});
+
+test("numbers and times are short and do not lie", () => {
+  assert.equal(format.time(59.999), "59.99 s");
+  assert.equal(format.time(0.1 + 0.2, 1), "0.3 s");
+  assert.equal(format.time(123.456, 1), "2:03.4");
+  assert.equal(format.time(3723.5, 1), "1:02:03.5");
+  assert.equal(format.number(0.00412), "0.00412");
+  assert.equal(format.number(1234567), "1.23 M");
+  assert.equal(format.number(-12.345), "−12.3");
+  assert.equal(format.number(NaN), "–");
+  assert.equal(format.factor(0.25), "0.25 ×");
+  assert.equal(format.factor(100), "100 ×");
+  assert.equal(format.factor(1), "1 ×");
+  assert.equal(format.fixed(-0.001, 2), "0.00");
+});
+
+test("a long series is thinned, and keeps its newest value and its span", () => {
+  const line = new series.Line({ id: 1, name: "x", unit: "1", vehicle: null });
+  for (let k = 0; k <= 100_000; k += 1) line.push(k / 100, Math.sin(k / 1000));
+  assert.ok(line.times.length <= 4001, String(line.times.length));
+  assert.ok(line.times.length >= 1000, String(line.times.length));
+  assert.equal(line.times[0], 0);
+  assert.equal(line.times.at(-1), 1000);
+  assert.ok(line.times.every((t, at) => at === 0 || t > line.times[at - 1]));
+});
+
+test("a history that comes late goes before what has come since", () => {
+  const line = new series.Line({ id: 1, name: "x", unit: "1", vehicle: null });
+  line.push(4, 40);
+  line.push(5, 50);
+  line.fill([0, 1, 4], [0, 10, 40]);
+  assert.deepEqual(line.times, [0, 1, 4, 5]);
+  assert.equal(line.at(4.5), 40);
+  assert.equal(line.at(-1), null);
+});
+
+test("a live run is drawn between its two newest frames, and thanks once for each", () => {
+  const sent = [];
+  const player = new live.LivePlayer((message) => sent.push(message));
+  assert.equal(player.advance(0), null);
+  player.take(frameAt(1), 0);
+  player.take(frameAt(2), 40);
+  const moment = player.advance(50);
+  assert.ok(moment.t_s > 1 && moment.t_s < 2, String(moment.t_s));
+  assert.equal(player.advance(500).t_s, 2);
+  assert.equal(player.advance(501), null, "nothing new, nothing drawn");
+  assert.deepEqual(sent, [{ type: "got", time_s: 1 }, { type: "got", time_s: 2 }]);
+});
+
+/** A replay of `count` ticks, and the program that answers it: at once, when told to. */
+function replayed(count, period_s) {
+  const ticks_s = Array.from({ length: count }, (_, k) => k * period_s);
+  const asked = [];
+  const span = { from_s: 0, to_s: ticks_s.at(-1), ticks_s, period_s };
+  const player = new replay.ReplayPlayer(span, 2, (message) => {
+    if (message.type === "fetch") asked.push(message);
+    return true;
+  });
+  const answer = () => {
+    const fetch = asked.at(-1);
+    let next = -Infinity;
+    const first = ticks_s.findLast((t) => t <= fetch.from_s + 1e-9);
+    for (const t of ticks_s) {
+      if (t < first || t > fetch.to_s + 1e-9 || t < next) continue;
+      player.take(frameAt(t));
+      if (fetch.step_s > 0) next = t + fetch.step_s;
+    }
+    player.fetched(fetch.id);
+  };
+  return { player, asked, answer };
+}
+
+test("a replay fetches first what is looked at, then the whole coarsely", () => {
+  const { player, asked, answer } = replayed(1001, 0.1);
+  player.seek(42.0);
+  assert.deepEqual([asked[0].from_s, asked[0].to_s], [42, 42]);
+  answer();
+  assert.equal(player.advance(0).t_s, 42);
+  assert.equal(asked.length, 2);
+  assert.ok(asked[1].step_s > 1 && asked[1].to_s === 100, JSON.stringify(asked[1]));
+});
+
+test("a jump shows the nearest frame that is here until the right one comes", () => {
+  const { player, asked, answer } = replayed(1001, 0.1);
+  player.plan();
+  answer();
+  answer();
+  player.seek(33.3);
+  const near = player.advance(0);
+  assert.ok(Math.abs(near.a.time - 33.3) < 3, String(near.a.time));
+  assert.ok(player.waiting.value);
+  assert.equal(asked.at(-1).from_s, 33.300000000000004);
+  answer();
+  const exact = player.advance(1);
+  assert.ok(Math.abs(exact.a.time - 33.3) < 1e-9);
+  assert.ok(!player.waiting.value);
+});
+
+test("a playing replay goes as the wall clock does, and waits for frames that are not here", () => {
+  const { player, asked, answer } = replayed(101, 0.1);
+  player.plan();
+  answer();
+  player.speed.value = 2;
+  player.play(true);
+  const before = asked.length;
+  for (let k = 0; k < 4 && asked.length > 0; k += 1) answer();
+  assert.ok(before >= 1);
+  player.advance(0);
+  let t = 0;
+  for (let ms = 100; ms <= 1000; ms += 100) t = player.advance(ms)?.t_s ?? t;
+  assert.ok(Math.abs(t - 2) < 1e-9, String(t));
+  // Without answers it stands at the last frame that is here.
+  for (let ms = 1100; ms <= 60_000; ms += 400) t = player.advance(ms)?.t_s ?? t;
+  assert.ok(t < 10 && player.waiting.value && player.playing.value, String(t));
+  for (let ms = 60_000; player.playing.value; ms += 400) {
+    answer();
+    t = player.advance(ms)?.t_s ?? t;
+  }
+  assert.equal(t, 10);
+});
+
+test("a fast replay fetches fewer ticks, and a fetch that brings nothing is not repeated", () => {
+  const { player, asked, answer } = replayed(10_001, 0.01);
+  player.plan();
+  answer();
+  player.speed.value = 20;
+  player.play(true);
+  player.advance(0);
+  assert.ok(asked.at(-1).step_s > 0.5 && asked.at(-1).step_s < 1, JSON.stringify(asked.at(-1)));
+  const count = asked.length;
+  for (let k = 0; k < 5; k += 1) player.fetched(asked.at(-1).id);
+  assert.ok(asked.length <= count + 1, `${asked.length - count} fetches after answers without frames`);
+});
+
+test("steps go from tick to tick", () => {
+  const { player, answer } = replayed(11, 0.1);
+  player.plan();
+  answer();
+  answer();
+  player.stepTick(1);
+  player.stepTick(1);
+  assert.equal(player.advance(0).t_s, 0.2);
+  player.seek(0.25);
+  player.stepTick(-1);
+  assert.equal(player.advance(1).t_s, 0.2);
+  player.stepTick(-1);
+  player.stepTick(-1);
+  player.stepTick(-1);
+  assert.equal(player.advance(2).t_s, 0);
+});
+
+test("keys have the names of the help sheet", () => {
+  const name = (key, shiftKey = false) => keys.nameOfKey({ key, shiftKey });
+  assert.equal(name(" "), "Space");
+  assert.equal(name("F", true), "Shift+F");
+  assert.equal(name("f"), "f");
+  assert.equal(name("A"), "a", "caps lock is no shift");
+  assert.equal(name("?", true), "?");
+});
+
+test("dist is what the sources build, and loads nothing from elsewhere", () => {
+  const folder = mkdtempSync(join(tmpdir(), "simbeeotic-dist-"));
+  try {
+    execFileSync(process.execPath, [fileURLToPath(new URL("../build.mjs", import.meta.url)), folder], { stdio: "inherit" });
+    for (const file of ["index.html", "page.css", "page.js"]) {
+      const built = readFileSync(join(folder, file));
+      const kept = readFileSync(new URL(`../dist/${file}`, import.meta.url));
+      assert.ok(built.equals(kept), `dist/${file} is not what the sources build: npm run build, and commit it`);
+    }
+    const index = readFileSync(join(folder, "index.html"), "utf8");
+    assert.doesNotMatch(index, /(src|href)="(https?:)?\/\//);
+    assert.doesNotMatch(index, /<script(?![^>]* src=)|<style|\son\w+=/, "nothing that the page's policy forbids");
+    assert.doesNotMatch(readFileSync(join(folder, "page.css"), "utf8"), /@import|url\(\s*["']?(https?:)?\/\//);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
