@@ -1,11 +1,15 @@
 //! The recorder as a component of a run: `[[component]] use = "recorder"`.
 
+mod once;
+mod run;
+
 use crate::data::{
-    Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample, Vehicle,
+    Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample,
 };
 use crate::radio::{self, Air};
 use crate::recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 use crate::selection::selects;
+use run::RunMetrics;
 use simbeeotic_model::check::positive;
 use simbeeotic_model::kernel::{ModelId, SimTime};
 use simbeeotic_model::units::Time;
@@ -32,6 +36,9 @@ pub struct RecorderComponent {
     /// `None`: there are no radios.
     air: Option<Air>,
     clocks: Clocks,
+    run: RunMetrics,
+    /// What the user should know at the end.
+    notes: Vec<String>,
 }
 
 /// When the recorder looks at what.
@@ -115,6 +122,8 @@ impl FromParams for RecorderComponent {
             silent: BTreeSet::new(),
             air: None,
             clocks,
+            run: RunMetrics::default(),
+            notes: Vec::new(),
         })
     }
 }
@@ -151,26 +160,24 @@ impl Component for RecorderComponent {
         self.check_patterns(view)?;
         self.air = Air::start(view, self.params.packets.as_deref(), &self.params.radios)?;
         let origin = view.origin();
-        let vehicle = |id: &ModelId| {
-            let member = view.population().get(*id);
-            Vehicle {
-                path: member.map(|m| m.path.to_owned()).unwrap_or_default(),
-                kind: member.map(|m| m.kind.to_owned()).unwrap_or_default(),
-                radius_m: view.radius(*id).map_or(0.0, |r| r.metres()),
-                ..Vehicle::default()
-            }
-        };
+        let (stage, textures, notes) = once::world(view);
+        let (models, note) = once::models(view);
+        self.notes = notes.into_iter().chain(note).collect();
+        let mut files = vec![Attachment {
+            name: "scenario.toml".to_owned(),
+            media_type: "application/toml".to_owned(),
+            bytes: origin.scenario.clone().into_bytes(),
+        }];
+        files.extend(textures);
         let header = Header {
             version: origin.version.clone(),
             seed: origin.seed,
             scenario: origin.scenario.clone(),
             notes: [("name".to_owned(), origin.name.clone())].into(),
-            files: vec![Attachment {
-                name: "scenario.toml".to_owned(),
-                media_type: "application/toml".to_owned(),
-                bytes: origin.scenario.clone().into_bytes(),
-            }],
-            vehicles: self.bodies.iter().map(vehicle).collect(),
+            files,
+            vehicles: once::vehicles(view, &self.bodies),
+            stage: Some(stage),
+            models,
             twists: self.params.twists,
             precision: match self.params.precision {
                 PrecisionChoice::Fine => Precision::Fine,
@@ -186,6 +193,7 @@ impl Component for RecorderComponent {
             return Ok(());
         };
         record_marks(recorder, view, &self.params, &mut self.silent).map_err(failed)?;
+        self.run.count(view.marks());
         let now_ns = view.now().nanos();
         if let Some(air) = &mut self.air {
             let whole = now_ns.is_multiple_of(self.clocks.radio_period_ns);
@@ -195,7 +203,10 @@ impl Component for RecorderComponent {
             return Ok(());
         }
         if self.params.events {
-            record_batteries(recorder, view, &self.bodies).map_err(failed)?;
+            let energy_j = record_batteries(recorder, view, &self.bodies).map_err(failed)?;
+            if let Some(metrics) = self.run.take(view, self.air.is_some(), energy_j) {
+                recorder.metrics(metrics).map_err(failed)?;
+            }
         }
         let samples = self.bodies.iter().map(|id| sample(view, *id));
         recorder.tick(now_ns, samples).map_err(failed)
@@ -215,6 +226,10 @@ impl Component for RecorderComponent {
             key: "recording".to_owned(),
             text: describe(&self.params.path, &stats),
         }];
+        notes.extend(self.notes.drain(..).map(|text| Note {
+            key: "recording".to_owned(),
+            text,
+        }));
         notes.extend(unread(&self.silent));
         let said = self.params.packets.is_some();
         let air = self.air.iter().flat_map(|air| air.notes(said));
@@ -325,17 +340,20 @@ fn describe(path: &std::path::Path, stats: &RecordStats) -> String {
     format!("{}, {size}, {} ticks{blocked}", path.display(), stats.ticks)
 }
 
-/// State of charge, voltage and current of each battery, as metrics.
+/// State of charge, voltage and current of each battery, as metrics. What all gave since the start, J, is
+/// the answer; `None` if there are none.
 fn record_batteries(
     recorder: &mut Recorder,
     view: &View<'_>,
     bodies: &[ModelId],
-) -> Result<(), RecordError> {
+) -> Result<Option<f64>, RecordError> {
     let mut values = Vec::new();
+    let mut energy_j = 0.0;
     for id in bodies {
-        let Some(battery) = view.battery(*id) else {
+        let Some((battery, books)) = view.battery_books(*id) else {
             continue;
         };
+        energy_j += (books.start - books.stored + books.charged).get();
         let path = view.population().path(*id);
         for (what, unit, value) in [
             ("soc", "1", battery.soc),
@@ -350,12 +368,13 @@ fn record_batteries(
         }
     }
     if values.is_empty() {
-        return Ok(());
+        return Ok(None);
     }
     recorder.metrics(Metrics {
         time_ns: view.now().nanos(),
         values,
-    })
+    })?;
+    Ok(Some(energy_j))
 }
 
 fn sample(view: &View<'_>, id: ModelId) -> Sample {

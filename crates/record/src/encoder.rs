@@ -4,6 +4,7 @@ use crate::air::{Links, Packet, Traffic};
 use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::message::{self, Timestamp};
 use crate::recorder::{Header, Precision};
+use crate::scene;
 use crate::sink::{Progress, Sink};
 use crate::topic::Topic;
 use mcap::records::{MessageHeader, Metadata};
@@ -74,7 +75,14 @@ impl Encoder {
 
         let mut channels = [0; Topic::ALL.len()];
         for topic in Topic::ALL {
-            if topic == Topic::Twists && !header.twists || topic == Topic::Images {
+            let used = match topic {
+                Topic::Twists => header.twists,
+                Topic::World | Topic::Points => header.stage.is_some(),
+                Topic::Models => !header.models.is_empty(),
+                Topic::Images => false,
+                _ => true,
+            };
+            if !used {
                 continue;
             }
             let ty = topic.schema();
@@ -100,18 +108,54 @@ impl Encoder {
             bytes: Vec::new(),
         };
         encoder.vehicles(&header.vehicles)?;
+        if let Some(stage) = &header.stage {
+            encoder.apart(Topic::World, &scene::scene_of(stage, header.precision))?;
+            if let Some(cloud) = scene::cloud_of(stage) {
+                encoder.apart(Topic::Points, &cloud)?;
+            }
+        }
+        for (models, about) in &header.models {
+            encoder.apart(Topic::Models, &scene::pack_about(models, about))?;
+        }
         encoder.flush()?;
 
         Ok(encoder)
     }
 
     fn vehicles(&mut self, vehicles: &[Vehicle]) -> McapResult<()> {
-        let list = message::Vehicles {
-            paths: vehicles.iter().map(|v| v.path.clone()).collect(),
-            kinds: vehicles.iter().map(|v| v.kind.clone()).collect(),
-            radius_m: vehicles.iter().map(|v| v.radius_m).collect(),
-        };
+        let mut list = message::Vehicles::default();
+        // Whose look was written where: vehicles that look alike share their pieces.
+        let mut places: BTreeMap<usize, i32> = BTreeMap::new();
+        for vehicle in vehicles {
+            list.paths.push(vehicle.path.clone());
+            list.kinds.push(vehicle.kind.clone());
+            list.radius_m.push(vehicle.radius_m);
+            list.roles.push(vehicle.role.clone());
+            list.colors_rgba.push(u32::from_be_bytes(vehicle.color));
+            let key = vehicle.pieces.as_ptr().addr();
+            let place = match (vehicle.pieces.is_empty(), places.get(&key)) {
+                (true, _) => -1,
+                (false, Some(place)) => *place,
+                (false, None) => {
+                    let place = i32::try_from(list.looks.len()).unwrap_or(-1);
+                    (list.looks).push(scene::look_of(&vehicle.pieces, self.precision));
+                    places.insert(key, place);
+                    place
+                }
+            };
+            list.look.push(place);
+        }
         self.message(Topic::Vehicles, 0, &list)
+    }
+
+    /// Writes a message of the beginning: a large one into a chunk of its own, so that readers of others
+    /// need not unpack it.
+    fn apart(&mut self, topic: Topic, message: &impl Message) -> McapResult<()> {
+        const LARGE: usize = 1 << 18;
+        if self.in_chunk > 0 && self.in_chunk + message.encoded_len() > LARGE {
+            self.flush()?;
+        }
+        self.message(topic, 0, message)
     }
 
     pub(crate) fn tick(&mut self, time_ns: u64, samples: &[Sample]) -> McapResult<()> {

@@ -97,6 +97,7 @@ mod publish;
 mod radio;
 mod recorder;
 mod recording;
+mod scene;
 mod schema;
 mod selection;
 mod sink;

@@ -4,6 +4,13 @@
 //! than generated code. [`crate::schema`] describes the same messages to readers; its tests hold
 //! the two together.
 
+mod scene;
+
+pub(crate) use scene::{
+    About, AboutBeams, AboutPart, AboutSensor, Color, Cube, Cylinder, KeyValue, PackedField,
+    PointCloud, SceneEntity, SceneUpdate, TriangleList, Vehicles,
+};
+
 use prost::Message;
 
 /// `google.protobuf.Timestamp`: here virtual time, counted from the start of the run.
@@ -83,17 +90,6 @@ pub(crate) struct Log {
     pub(crate) file: String,
     #[prost(fixed32, tag = "6")]
     pub(crate) line: u32,
-}
-
-/// `simbeeotic.Vehicles`: who flies; the order is the order of every tick.
-#[derive(Clone, PartialEq, Message)]
-pub(crate) struct Vehicles {
-    #[prost(string, repeated, tag = "1")]
-    pub(crate) paths: Vec<String>,
-    #[prost(string, repeated, tag = "2")]
-    pub(crate) kinds: Vec<String>,
-    #[prost(double, repeated, tag = "3")]
-    pub(crate) radius_m: Vec<f64>,
 }
 
 /// `simbeeotic.Twists`: three numbers a vehicle in each list.

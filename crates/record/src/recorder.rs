@@ -4,7 +4,9 @@ use crate::air::{Links, Packet, Traffic};
 use crate::data::{Attachment, Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
+use crate::stage::Stage;
 use crate::writer::{self, Job};
+use simbeeotic_model::About;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
@@ -31,6 +33,10 @@ pub struct Header {
     pub files: Vec<Attachment>,
     /// Who flies, in the order of every tick.
     pub vehicles: Vec<Vehicle>,
+    /// What stands in the world; `None` if that is not to be recorded.
+    pub stage: Option<Stage>,
+    /// What models are made of: paths of those that are alike, and what they are.
+    pub models: Vec<(Vec<String>, About)>,
     /// Whether ticks carry velocities and rates (24 B a vehicle before compression) or poses only.
     pub twists: bool,
     /// How many digits are kept.
@@ -47,6 +53,8 @@ impl Default for Header {
             notes: BTreeMap::new(),
             files: Vec::new(),
             vehicles: Vec::new(),
+            stage: None,
+            models: Vec::new(),
             twists: true,
             precision: Precision::default(),
         }

@@ -9,14 +9,18 @@ use crate::index::{self, Extent, Index};
 use crate::message;
 use crate::messages::Messages;
 use crate::recorder::Precision;
+use crate::scene;
 use crate::source::Source;
+use crate::stage::{Piece, Stage};
 use crate::ticks::Ticks;
 use crate::topic::Topic;
 use prost::Message;
+use simbeeotic_model::About;
 use std::collections::BTreeMap;
 use std::io;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 use thiserror::Error;
 
 /// Why a recording cannot be read.
@@ -82,6 +86,8 @@ pub struct Recording {
     pub(crate) index: Index,
     vehicles: Vec<Vehicle>,
     metadata: BTreeMap<String, BTreeMap<String, String>>,
+    /// What each model is, by its path; read when somebody asks.
+    abouts: OnceLock<BTreeMap<String, Arc<About>>>,
 }
 
 impl Recording {
@@ -107,6 +113,7 @@ impl Recording {
             index,
             vehicles: Vec::new(),
             metadata: BTreeMap::new(),
+            abouts: OnceLock::new(),
         };
         recording.read_metadata()?;
         recording.read_vehicles()?;
@@ -121,6 +128,52 @@ impl Recording {
     /// Who flies. Their order is the order of every tick.
     pub fn vehicles(&self) -> &[Vehicle] {
         &self.vehicles
+    }
+
+    /// What stands in the world; `None` if that was not recorded, or was cut off.
+    ///
+    /// It is read from the file at each call. Positions have the precision of the recording; the pieces of a
+    /// prop come by form: boxes, spheres, cylinders, meshes, capsules.
+    ///
+    /// # Errors
+    /// When the file cannot be read or this part of it is damaged.
+    pub fn stage(&self) -> Result<Option<Stage>, ReadError> {
+        let mut messages = Messages::new(self, topic_list(Topic::World), 0..=0);
+        let Some(found) = messages.next() else {
+            return Ok(None);
+        };
+        let scene: message::SceneUpdate = messages.decode(&found?)?;
+        Ok(Some(scene::stage_of(&scene)))
+    }
+
+    /// What a vehicle is made of, by its place in [`vehicles`](Self::vehicles): parts with their parameters, sensors,
+    /// radios (without numbers). `None` if that was not recorded.
+    ///
+    /// The first call reads what is known of all; the rest is quick.
+    ///
+    /// # Errors
+    /// When the file cannot be read or this part of it is damaged.
+    pub fn about(&self, vehicle: usize) -> Result<Option<Arc<About>>, ReadError> {
+        let abouts = match self.abouts.get() {
+            Some(abouts) => abouts,
+            None => {
+                let read = self.read_abouts()?;
+                self.abouts.get_or_init(|| read)
+            }
+        };
+        let path = self.vehicles.get(vehicle).map(|vehicle| &vehicle.path);
+        Ok(path.and_then(|path| abouts.get(path)).cloned())
+    }
+
+    fn read_abouts(&self) -> Result<BTreeMap<String, Arc<About>>, ReadError> {
+        let mut all = BTreeMap::new();
+        let mut messages = Messages::new(self, topic_list(Topic::Models), 0..=0);
+        while let Some(found) = messages.next() {
+            let (models, about) = scene::unpack_about(messages.decode(&found?)?);
+            let about = Arc::new(about);
+            all.extend(models.into_iter().map(|model| (model, Arc::clone(&about))));
+        }
+        Ok(all)
     }
 
     /// Whether the file was cut short, so that the end of the run may be missing.
@@ -323,19 +376,24 @@ impl Recording {
                 });
             }
         };
-        let kinds = list
-            .kinds
-            .into_iter()
-            .chain(std::iter::repeat(String::new()));
-        let radii = list.radius_m.into_iter().chain(std::iter::repeat(0.0));
-        self.vehicles = (list.paths.into_iter().zip(kinds).zip(radii))
-            .map(|((path, kind), radius_m)| Vehicle {
-                path,
-                kind,
-                radius_m,
-                ..Vehicle::default()
-            })
-            .collect();
+        // Of older recordings the lists behind the paths are shorter, or not there.
+        let looks: Vec<Arc<[Piece]>> = list.looks.iter().map(scene::pieces_of_look).collect();
+        let look = |place: Option<&i32>| {
+            let place = usize::try_from(*place?).ok()?;
+            looks.get(place).cloned()
+        };
+        let vehicle = |(at, path): (usize, String)| Vehicle {
+            path,
+            kind: list.kinds.get(at).cloned().unwrap_or_default(),
+            radius_m: list.radius_m.get(at).copied().unwrap_or_default(),
+            role: list.roles.get(at).cloned().unwrap_or_default(),
+            color: list
+                .colors_rgba
+                .get(at)
+                .map_or([0; 4], |rgba| rgba.to_be_bytes()),
+            pieces: look(list.look.get(at)).unwrap_or_default(),
+        };
+        self.vehicles = list.paths.into_iter().enumerate().map(vehicle).collect();
         Ok(())
     }
 

@@ -5,6 +5,10 @@
 //! Foxglove's own (same file names, field names and numbers), so that Foxglove and Rerun draw
 //! them; the `simbeeotic.*` ones are ours, and any protobuf reader can print them.
 
+mod scene;
+
+pub(crate) use scene::{ABOUT, POINT_CLOUD, SCENE_UPDATE, VEHICLES};
+
 use prost::Message;
 
 /// One message type, in a `.proto` file of its own.
@@ -218,19 +222,6 @@ pub(crate) static LOG: Type = Type {
         name: "Level",
         values: &["UNKNOWN", "DEBUG", "INFO", "WARNING", "ERROR", "FATAL"],
     }],
-};
-
-pub(crate) static VEHICLES: Type = Type {
-    package: "simbeeotic",
-    name: "Vehicles",
-    file: "simbeeotic/Vehicles.proto",
-    imports: &[],
-    fields: &[
-        many("paths", 1, Kind::Text),
-        many("kinds", 2, Kind::Text),
-        many("radius_m", 3, Kind::Double),
-    ],
-    enums: &[],
 };
 
 pub(crate) static TWISTS: Type = Type {
@@ -449,7 +440,7 @@ mod tests {
     use prost::encoding::{WireType, decode_key, decode_varint};
 
     /// Field numbers and wire types of one encoded message, each once, in order.
-    fn keys(mut bytes: &[u8]) -> Vec<(i32, WireType)> {
+    pub(super) fn keys(mut bytes: &[u8]) -> Vec<(i32, WireType)> {
         let mut keys = Vec::new();
         while !bytes.is_empty() {
             let (number, wire_type) = decode_key(&mut bytes).expect("a key");
@@ -470,7 +461,7 @@ mod tests {
         keys
     }
 
-    fn declared(ty: &Type) -> Vec<(i32, WireType)> {
+    pub(super) fn declared(ty: &Type) -> Vec<(i32, WireType)> {
         let wire_type = |field: &Field| match (field.kind, field.repeated) {
             (Kind::Text | Kind::Bytes | Kind::Message(_), _) | (_, true) => {
                 WireType::LengthDelimited
@@ -521,11 +512,6 @@ mod tests {
             name: text(),
             file: text(),
             line: 1,
-        };
-        let vehicles = message::Vehicles {
-            paths: vec![text()],
-            kinds: vec![text()],
-            radius_m: vec![1.0],
         };
         let twists = message::Twists {
             timestamp,
@@ -615,7 +601,6 @@ mod tests {
             (&POSE, pose.encode_to_vec()),
             (&POSES_IN_FRAME, poses.encode_to_vec()),
             (&LOG, log.encode_to_vec()),
-            (&VEHICLES, vehicles.encode_to_vec()),
             (&TWISTS, twists.encode_to_vec()),
             (&EVENT, event.encode_to_vec()),
             (&METRICS, metrics.encode_to_vec()),

@@ -6,6 +6,12 @@ use crate::schema::{self, Type};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Topic {
     Vehicles,
+    /// What stands in the world.
+    World,
+    /// Points on it, for viewers that show no scenes.
+    Points,
+    /// What models are made of.
+    Models,
     Poses,
     Twists,
     Log,
@@ -20,8 +26,11 @@ pub(crate) enum Topic {
 }
 
 impl Topic {
-    pub(crate) const ALL: [Topic; 11] = [
+    pub(crate) const ALL: [Topic; 14] = [
         Topic::Vehicles,
+        Topic::World,
+        Topic::Points,
+        Topic::Models,
         Topic::Poses,
         Topic::Twists,
         Topic::Log,
@@ -37,6 +46,9 @@ impl Topic {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Topic::Vehicles => "/vehicles",
+            Topic::World => "/world",
+            Topic::Points => "/world/points",
+            Topic::Models => "/models",
             Topic::Poses => "/poses",
             Topic::Twists => "/twists",
             Topic::Log => "/log",
@@ -61,6 +73,9 @@ impl Topic {
     pub(crate) fn schema(self) -> &'static Type {
         match self {
             Topic::Vehicles => &schema::VEHICLES,
+            Topic::World => &schema::SCENE_UPDATE,
+            Topic::Points => &schema::POINT_CLOUD,
+            Topic::Models => &schema::ABOUT,
             Topic::Poses => &schema::POSES_IN_FRAME,
             Topic::Twists => &schema::TWISTS,
             Topic::Log => &schema::LOG,

@@ -5,6 +5,7 @@
 
 mod bounds;
 mod of;
+mod points;
 mod textures;
 mod thin;
 mod triangles;

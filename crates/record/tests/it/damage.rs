@@ -45,6 +45,8 @@ fn open(bytes: &[u8]) -> Option<Recording> {
 fn read_all(recording: &Recording) -> Vec<Tick> {
     let _ = recording.attachments();
     let _ = recording.summary();
+    let _ = recording.stage();
+    let _ = recording.about(0);
     let _ = recording.events().filter(Result::is_ok).count();
     let _ = recording.log().filter(Result::is_ok).count();
     let _ = recording.metrics().filter(Result::is_ok).count();
@@ -173,12 +175,12 @@ proptest! {
     fn records_of_the_right_form_with_random_contents_never_panic(
         records in prop::collection::vec(any_record(), 0..8),
         inside in prop::collection::vec(any_record(), 0..8),
-        channel in 0..8_u16,
-        messages in prop::collection::vec((0..8_u16, prop::collection::vec(any::<u8>(), 0..80)), 0..8),
+        channel in 0..9_u16,
+        messages in prop::collection::vec((0..9_u16, prop::collection::vec(any::<u8>(), 0..80)), 0..8),
         end in any::<bool>(),
     ) {
         let mut chunk = Vec::new();
-        for (id, topic) in (channel..).zip(["/vehicles", "/poses", "/twists", "/metrics", "/log", "/events"]) {
+        for (id, topic) in (channel..).zip(["/vehicles", "/poses", "/twists", "/metrics", "/log", "/world", "/models"]) {
             let mut body = [id.to_le_bytes(), [0, 0]].concat();
             push_text(&mut body, topic);
             push_text(&mut body, "protobuf");

@@ -7,4 +7,5 @@ mod full_disk;
 mod killed;
 mod readings;
 mod round_trip;
+mod stage;
 mod swarm;
