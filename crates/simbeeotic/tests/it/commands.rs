@@ -279,76 +279,6 @@ fn a_seed_is_shown_as_it_was_given() {
 }
 
 #[test]
-fn the_bench_prints_figure_7_by_swarm_and_threads() {
-    let program = Program::new();
-    let call = program.call(&[
-        "bench",
-        "fig7",
-        "--n",
-        "100,50",
-        "--duration",
-        "1 s",
-        "--threads",
-        "1,2",
-        "--repeat",
-        "2",
-        "--json",
-    ]);
-    assert_eq!(call.code, Some(0), "{}", call.err);
-    let rows: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
-    let rows = rows.as_array().expect("rows");
-    assert_eq!(rows.len(), 4);
-    for (row, (n, threads)) in rows.iter().zip([(50, 1), (50, 2), (100, 1), (100, 2)]) {
-        assert_eq!((&row["n"], &row["threads"]), (&n.into(), &threads.into()));
-        for key in SHARES {
-            assert!(row[key].as_f64().is_some_and(|x| x >= 0.0), "{key}: {row}");
-        }
-        // 11 control steps, 2 readings, a start and an end.
-        assert_eq!(row["events"], n * 15, "{row}");
-    }
-    assert_eq!(rows[0]["trace_hash"], rows[1]["trace_hash"]);
-    assert_ne!(rows[0]["trace_hash"], rows[2]["trace_hash"]);
-}
-
-#[test]
-fn the_bench_prints_figure_8_by_swarm_and_threads() {
-    let program = Program::new();
-    for (start, least) in [("paper", 0.95), ("density", 0.1)] {
-        let call = program.call(&[
-            "bench",
-            "fig8",
-            "--n",
-            "60",
-            "--duration",
-            "2 s",
-            "--threads",
-            "1,2",
-            "--start",
-            start,
-            "--repeat",
-            "1",
-            "--json",
-        ]);
-        assert_eq!(call.code, Some(0), "{}", call.err);
-        let rows: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
-        let rows = rows.as_array().expect("rows");
-        assert_eq!(rows.len(), 2);
-        for row in rows {
-            assert!(SHARES.iter().all(|key| row[key].is_number()), "{row}");
-            // At 0 s, 1 s and 2 s.
-            assert_eq!(row["sent"], 3 * 60, "{row}");
-            let number = |key: &str| row[key].as_f64().expect(key);
-            let pairs = number("sent") * 59.0;
-            assert!((number("delivered") - number("received") / pairs).abs() < 1e-12);
-            assert!((least..1.0).contains(&number("delivered")), "{row}");
-            assert!((number("received_per_s") - 0.5 * number("received")).abs() < 1e-9);
-        }
-        assert_eq!(rows[0]["trace_hash"], rows[1]["trace_hash"]);
-        assert_eq!(rows[0]["received"], rows[1]["received"]);
-    }
-}
-
-#[test]
 fn the_bench_tells_what_gets_through_on_a_topology() {
     let program = Program::new();
     let ball = shipped("crates/radio/tests/ns3/topologies/ball-020-1.csv");
@@ -424,49 +354,6 @@ fn a_topology_that_is_wrong_is_told_by_file_and_line() {
     let call = program.call(&["bench", "radio", "--topology", &two, "--payload", "117"]);
     assert!(call.err.contains("between 0 and 116 bytes"), "{}", call.err);
 }
-
-#[test]
-fn the_bench_prints_figure_6_by_obstacles() {
-    let program = Program::new();
-    for reach in ["out", "in"] {
-        let call = program.call(&[
-            "bench",
-            "fig6",
-            "--obstacles",
-            "10,300",
-            "--duration",
-            "1 s",
-            "--reach",
-            reach,
-            "--repeat",
-            "1",
-            "--json",
-        ]);
-        assert_eq!(call.code, Some(0), "{}", call.err);
-        let rows: serde_json::Value = serde_json::from_str(&call.out).expect("JSON");
-        let rows = rows.as_array().expect("rows");
-        let numbers: Vec<_> = rows.iter().map(|row| row["obstacles"].as_u64()).collect();
-        assert_eq!(numbers, [Some(0), Some(10), Some(300)]);
-        assert_eq!(rows[0]["physics_ratio"], 1.0);
-        for row in rows {
-            assert!(SHARES.iter().all(|key| row[key].is_number()), "{row}");
-            assert_eq!(row["events"], 32 * 15, "{row}");
-        }
-    }
-    let call = program.call(&["bench", "fig6", "--spacing", "0 m"]);
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    assert!(call.err.contains("--spacing"), "{}", call.err);
-}
-
-/// Where the time of a row goes.
-const SHARES: [&str; 6] = [
-    "events_s",
-    "physics_s",
-    "radio_s",
-    "other_s",
-    "wall_s",
-    "speed",
-];
 
 #[test]
 fn a_new_crate_is_made_once() {

@@ -6,6 +6,7 @@ mod bounds;
 mod chance;
 mod commands;
 mod determinism;
+mod figures;
 mod golden;
 mod held;
 mod layers;

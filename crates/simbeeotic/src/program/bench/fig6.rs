@@ -5,37 +5,43 @@
 //! bees' start first. `--reach in` puts this field around the start: the first thousands stand where
 //! the bees fly, the rest behind. `--reach out` puts the same field to the east of wherever the bees
 //! can come in the time they have: whoever is not met must not cost anything, nor change a bit of the
-//! run.
+//! run. Without a word, both are measured.
 
+use super::alone::Case;
+use super::arguments::{self, Common};
+use super::files::Facts;
+use super::measure::{self, Experiment, Row as Measurement};
+use super::report::Report;
 use super::workload::{self, Cost, MAX_SPEED_M_S, PAPER_EDGE_M, SEED, Workload};
-use super::{Common, Failure, arguments, input, remark, table};
+use super::{Failure, input, paper, remark, table};
 use clap::Args;
 use serde::Serialize;
 use simbeeotic_kernel::rng::Stream;
 use simbeeotic_model::world::{Obstacle, ObstacleShape, World};
+use simbeeotic_scenario::Loaded;
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Angle, Length, Position};
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Bees of the experiment, as in the paper.
-const BEES: u32 = 32;
+pub(super) const BEES: u32 = 32;
 
 /// Arguments of `bench fig6`.
 #[derive(Args)]
 pub(in crate::program) struct Options {
-    /// Numbers of obstacles; none is always among them
+    /// Numbers of obstacles; none is always among them [default: see below]
     #[arg(
         long,
         value_delimiter = ',',
-        default_value = "0,10,100,1000,10000,100000",
         value_parser = number,
         allow_negative_numbers = true
     )]
     obstacles: Vec<u32>,
-    /// Where they stand: out (farther than the bees can fly) or in (where they fly)
-    #[arg(long, default_value = "out", value_parser = ["out", "in"])]
-    reach: String,
+    /// Where they stand: in (where the bees fly) or out (farther than they can fly), or both, in,out
+    #[arg(long, value_delimiter = ',', default_value = "in,out", value_parser = ["out", "in"])]
+    reach: Vec<String>,
     /// Distance from obstacle to obstacle: each has a cube of this edge to itself
     #[arg(
         long,
@@ -44,20 +50,34 @@ pub(in crate::program) struct Options {
         allow_hyphen_values = true
     )]
     spacing: String,
-    /// Virtual time of each run; the default is the paper's
+    /// Threads that run models
     #[arg(
         long,
-        default_value = "100 s",
-        value_name = "TIME",
-        allow_hyphen_values = true
+        default_value_t = 1,
+        value_parser = super::super::arguments::threads,
+        allow_negative_numbers = true
     )]
-    duration: String,
-    /// Threads that run models
-    #[arg(long, default_value_t = 1, value_parser = arguments::threads, allow_negative_numbers = true)]
     threads: usize,
     #[command(flatten)]
     common: Common,
 }
+
+/// What is below the options in the help.
+pub(super) const HELP: &str = "\
+Numbers: 0,10,100,1000,10000,100000, each for 100 s; with --full also 2, 5, 20, 50 and so on.
+
+Examples:
+  simbeeotic bench fig6
+  simbeeotic bench fig6 --full -o out/fig6-full
+  simbeeotic bench fig6 --reach in --spacing \"2 m\" --obstacles 1000,10000";
+
+/// Numbers of the quick and of the whole experiment.
+const NUMBERS: [&[u32]; 2] = [
+    &[0, 10, 100, 1_000, 10_000, 100_000],
+    &[
+        0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1_000, 2_000, 5_000, 10_000, 20_000, 50_000, 100_000,
+    ],
+];
 
 /// More obstacles than this take longer to make than anybody waits.
 const OBSTACLES_MAX: u32 = 10_000_000;
@@ -81,91 +101,189 @@ struct Row {
     physics_ratio: f64,
 }
 
+/// The experiment, its arguments read.
+struct Fig6<'a> {
+    options: &'a Options,
+    duration_s: f64,
+    spacing_m: f64,
+    numbers: Vec<u32>,
+}
+
+impl Fig6<'_> {
+    fn load(&self) -> Result<Loaded, Failure> {
+        let workload = Workload {
+            bees: BEES,
+            duration_s: self.duration_s,
+            edges_m: [PAPER_EDGE_M; 3],
+            phase: &self.options.common.phase,
+            contacts: true,
+            channel: None,
+        };
+        workload.load()
+    }
+
+    /// So many obstacles, where the bees fly or where they cannot come.
+    fn world(&self, loaded: &Loaded, case: Case) -> Result<Arc<World>, Failure> {
+        let starts = input::setup(loaded)?.models;
+        let starts: Vec<DVec3> = starts
+            .iter()
+            .map(|model| model.start.position.si())
+            .collect();
+        let reach_m = PAPER_EDGE_M + MAX_SPEED_M_S * self.duration_s;
+        let east_m = match self.out(case.line) {
+            true => reach_m + field_m(case.size, &starts, self.spacing_m),
+            false => 0.0,
+        };
+        Ok(Arc::new(world(case.size, self.spacing_m, east_m, &starts)))
+    }
+
+    fn out(&self, line: usize) -> bool {
+        self.options.reach[line] == "out"
+    }
+
+    fn facts(&self, case: Case) -> Facts {
+        Facts {
+            n: Some(BEES),
+            obstacles: Some(case.size),
+            threads: Some(self.options.threads),
+            start: "paper".to_owned(),
+            phase: self.options.common.phase.clone(),
+            contacts: "on".to_owned(),
+            medium: String::new(),
+            reach: self.options.reach[case.line].clone(),
+        }
+    }
+}
+
+impl Experiment for Fig6<'_> {
+    fn common(&self) -> &Common {
+        &self.options.common
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.duration_s
+    }
+
+    fn sizes(&self) -> &[u32] {
+        &self.numbers
+    }
+
+    fn lines(&self) -> Vec<String> {
+        let name = |line| {
+            if self.out(line) {
+                "out of reach"
+            } else {
+                "in the way"
+            }
+        };
+        (0..self.options.reach.len())
+            .map(|line| name(line).to_owned())
+            .collect()
+    }
+
+    /// What is not reached by the table is not searched: it would be a bench of making worlds.
+    fn ceiling(&self) -> u32 {
+        self.numbers.last().copied().unwrap_or(0)
+    }
+
+    /// More than of the others: its runs are short.
+    fn repeats(&self) -> u32 {
+        7
+    }
+
+    fn warm_up(&self) -> Result<(), Failure> {
+        workload::run(&self.load()?, self.options.threads, None, None).map(drop)
+    }
+
+    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+        let loaded = self.load()?;
+        let world = self.world(&loaded, case)?;
+        workload::run(&loaded, self.options.threads, Some(&world), wall)
+    }
+}
+
 pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
     let common = &options.common;
-    let duration = input::time("--duration", &options.duration)?;
-    let spacing = spacing_m(&options.spacing)?;
-    let out = options.reach == "out";
-    if !common.json {
-        remark(format!(
-            "figure 6: {BEES} bees, {} s virtual, boxes {spacing} m apart {}, {} timers",
-            duration.secs(),
-            if out { "out of reach" } else { "in the way" },
-            common.phase,
-        ));
+    let mut numbers = arguments::sizes(&options.obstacles, common.full, NUMBERS[0], NUMBERS[1]);
+    if numbers.first() != Some(&0) {
+        numbers.insert(0, 0);
     }
-
-    let workload = Workload {
-        bees: BEES,
-        duration: &options.duration,
-        edges_m: [PAPER_EDGE_M; 3],
-        phase: &common.phase,
-        contacts: true,
-        channel: None,
+    let experiment = Fig6 {
+        options,
+        duration_s: common.duration_s("100 s")?,
+        spacing_m: spacing_m(&options.spacing)?,
+        numbers,
     };
-    let loaded = workload.load()?;
-    let starts = input::setup(&loaded)?.models;
-    let starts: Vec<DVec3> = starts
-        .iter()
-        .map(|model| model.start.position.si())
-        .collect();
-    let mut numbers = options.obstacles.clone();
-    numbers.push(0);
-    numbers.sort_unstable();
-    numbers.dedup();
-    let reach_m = PAPER_EDGE_M + MAX_SPEED_M_S * duration.secs();
-    let worlds: Vec<Arc<World>> = numbers
-        .iter()
-        .map(|&n| {
-            let east_m = if out {
-                reach_m + field_m(n, &starts, spacing)
-            } else {
-                0.0
-            };
-            Arc::new(world(n, spacing, east_m, &starts))
-        })
-        .collect();
+    let setup = format!(
+        "{BEES} bees, {} s virtual, boxes {} m apart {}, {} timers",
+        experiment.duration_s,
+        experiment.spacing_m,
+        experiment.lines().join(" or "),
+        common.phase,
+    );
+    if !common.json && common.alone.is_none() {
+        remark(format!("figure 6: {setup}"));
+    }
+    let Some(measured) = measure::measure(&experiment)? else {
+        return Ok(());
+    };
+    let rows = rows(&experiment, &measured.rows);
+    unmoved(&rows)?;
+    if !common.json {
+        print(&rows)?;
+        table::method(&measured.rows);
+        if rows.iter().any(|row| row.reach == "out") {
+            remark(
+                "out of reach the run is the same with any number of obstacles: equal trace hashes",
+            );
+        }
+    }
+    let report = Report {
+        name: "fig6",
+        title: "Figure 6: 32 bees, and ever more obstacles",
+        setup,
+        x: "obstacles",
+        all_shares: true,
+        paper: paper::FIG6,
+        facts: &|case| experiment.facts(case),
+        searched: |facts, obstacles| facts.obstacles = obstacles,
+    };
+    report.finish(&experiment, &measured, &rows)
+}
 
-    workload::run(&loaded, options.threads, None)?; // to warm up
-    let costs = table::rounds(worlds.len(), common.repeat, |case| {
-        workload::run(&loaded, options.threads, Some(&worlds[case]))
-    })?;
-    let empty = costs[0].clone();
-    let rows: Vec<Row> = (numbers.iter().zip(costs))
-        .map(|(&obstacles, cost)| Row {
-            obstacles,
-            reach: options.reach.clone(),
-            threads: options.threads,
-            physics_ratio: cost.physics_s / empty.physics_s,
-            cost,
-        })
-        .collect();
+fn rows(experiment: &Fig6<'_>, measured: &[Measurement]) -> Vec<Row> {
+    let options = experiment.options;
+    // The first row of each line is without obstacles.
+    let row = |row: &Measurement| Row {
+        obstacles: row.case.size,
+        reach: options.reach[row.case.line].clone(),
+        threads: options.threads,
+        physics_ratio: row.least.physics_s / measured[row.case.line].least.physics_s,
+        cost: row.least.clone(),
+    };
+    measured.iter().map(row).collect()
+}
 
-    if let Some(row) = rows
-        .iter()
-        .find(|row| out && row.cost.trace_hash != empty.trace_hash)
-    {
-        return Err(Failure::run(format!(
+/// Whoever is out of reach must not change the run.
+fn unmoved(rows: &[Row]) -> Result<(), Failure> {
+    let mut out = rows.iter().filter(|row| row.reach == "out");
+    let Some(empty) = out.next() else {
+        return Ok(());
+    };
+    match out.find(|row| row.cost.trace_hash != empty.cost.trace_hash) {
+        None => Ok(()),
+        Some(row) => Err(Failure::run(format!(
             "{} obstacles that nobody can reach change the run: trace hash {}, {} without",
-            row.obstacles, row.cost.trace_hash, empty.trace_hash
-        )));
+            row.obstacles, row.cost.trace_hash, empty.cost.trace_hash
+        ))),
     }
-    if common.json {
-        return table::json(&rows);
-    }
-    print(&rows)?;
-    table::method(common.repeat);
-    if out {
-        remark("the run is the same with any number of obstacles: equal trace hashes");
-    }
-    Ok(())
 }
 
 fn print(rows: &[Row]) -> Result<(), Failure> {
-    let head = ["obstacles"].into_iter().chain(table::SHARES);
+    let head = ["obstacles", "reach"].into_iter().chain(table::SHARES);
     table::line(head.chain(["cpu s", "touches", "ratio"]))?;
     for row in rows {
-        let mut columns = vec![row.obstacles.to_string()];
+        let mut columns = vec![row.obstacles.to_string(), row.reach.clone()];
         columns.extend(table::shares(&row.cost));
         columns.push(table::figure(row.cost.cpu_s, 3));
         columns.push(row.cost.touches.to_string());

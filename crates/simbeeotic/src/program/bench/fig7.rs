@@ -1,48 +1,117 @@
 //! Figure 7: the swarm grows. Soft real time ends where the speed falls below 1.
 
+use super::alone::Case;
+use super::arguments::{Common, Swarms};
+use super::files::Facts;
+use super::measure::{self, Experiment, Row as Measurement};
+use super::report::Report;
 use super::workload::{self, Cost, PAPER_EDGE_M, Workload};
-use super::{Common, Failure, arguments, input, process, remark, show, table};
+use super::{Failure, paper, remark, show, table};
 use clap::Args;
 use serde::Serialize;
+use simbeeotic_scenario::Loaded;
 use simbeeotic_units::math;
+use std::time::Duration;
 
 /// Arguments of `bench fig7`.
 #[derive(Args)]
 pub(in crate::program) struct Options {
-    /// Swarm sizes
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "1000,3000,10000,30000",
-        value_parser = arguments::swarm_size,
-        allow_negative_numbers = true
-    )]
-    n: Vec<u32>,
-    /// Virtual time of each run; the paper's is "100 s"
-    #[arg(
-        long,
-        default_value = "10 s",
-        value_name = "TIME",
-        allow_hyphen_values = true
-    )]
-    duration: String,
-    /// Threads that run models; of several, as 1,2, each swarm is run with each, and compared
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "1",
-        value_parser = arguments::threads,
-        allow_negative_numbers = true
-    )]
-    threads: Vec<usize>,
-    /// Start: paper (random in a 20 m cube) or density (one bee per 8 cubic metres)
-    #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
-    start: String,
     /// Bees do not collide
     #[arg(long)]
     no_contacts: bool,
     #[command(flatten)]
-    common: Common,
+    swarms: Swarms,
+}
+
+/// What is below the options in the help.
+pub(super) const HELP: &str = "\
+Sizes: 1000,3000,10000,30000, each for 5 s; with --full 1000,2000,3074,5000,10000,20000,50000,100000, each
+for 100 s.
+
+Examples:
+  simbeeotic bench fig7
+  simbeeotic bench fig7 --full --threads 1,2 -o out/fig7-full
+  simbeeotic bench fig7 --n 100000 --start density --no-limit";
+
+/// Swarms of the quick and of the whole experiment.
+const SIZES: [&[u32]; 2] = [
+    &[1_000, 3_000, 10_000, 30_000],
+    &[1_000, 2_000, 3_074, 5_000, 10_000, 20_000, 50_000, 100_000],
+];
+
+/// The experiment, its arguments read.
+struct Fig7<'a> {
+    options: &'a Options,
+    duration_s: f64,
+    sizes: Vec<u32>,
+}
+
+impl Fig7<'_> {
+    fn load(&self, n: u32, duration_s: f64) -> Result<Loaded, Failure> {
+        let swarms = &self.options.swarms;
+        let workload = Workload {
+            bees: n,
+            duration_s,
+            edges_m: [edge_m(n, &swarms.start); 3],
+            phase: &swarms.common.phase,
+            contacts: !self.options.no_contacts,
+            channel: None,
+        };
+        workload.load()
+    }
+
+    fn facts(&self, case: Case) -> Facts {
+        let swarms = &self.options.swarms;
+        Facts {
+            n: Some(case.size),
+            threads: Some(swarms.threads[case.line]),
+            start: swarms.start.clone(),
+            phase: swarms.common.phase.clone(),
+            contacts: contacts(self.options).to_owned(),
+            ..Facts::default()
+        }
+    }
+}
+
+impl Experiment for Fig7<'_> {
+    fn common(&self) -> &Common {
+        &self.options.swarms.common
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.duration_s
+    }
+
+    fn sizes(&self) -> &[u32] {
+        &self.sizes
+    }
+
+    fn lines(&self) -> Vec<String> {
+        let threads = self.options.swarms.threads.iter();
+        threads.map(|threads| show::threads(*threads)).collect()
+    }
+
+    fn ceiling(&self) -> u32 {
+        1_000_000
+    }
+
+    fn repeats(&self) -> u32 {
+        3
+    }
+
+    fn warm_up(&self) -> Result<(), Failure> {
+        workload::run(&self.load(100, 1.0)?, 1, None, None).map(drop)
+    }
+
+    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+        let loaded = self.load(case.size, self.duration_s)?;
+        let threads = self.options.swarms.threads[case.line];
+        workload::run(&loaded, threads, None, wall)
+    }
+}
+
+fn contacts(options: &Options) -> &'static str {
+    if options.no_contacts { "off" } else { "on" }
 }
 
 /// One row of the table: a swarm on some threads.
@@ -54,95 +123,81 @@ struct Row {
     cost: Cost,
     /// Processor time for each bee and virtual second, us.
     cpu_us_per_bee_s: Option<f64>,
-    /// Growth of the process's greatest memory by this swarm, for each bee, KiB; of the first run, and
-    /// with the first number of threads. What smaller swarms have left behind counts too: for a figure
-    /// to hold a limit against, ask for one swarm alone.
+    /// Growth of the process's greatest memory by this swarm, for each bee, KiB; the most of all runs, each
+    /// in a process of its own.
     memory_kib_per_bee: Option<f64>,
     /// Wall time with the first number of threads over that with this one.
     gain: f64,
 }
 
 pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
-    let common = &options.common;
-    let duration = input::time("--duration", &options.duration)?;
-    if !common.json {
-        remark(format!(
-            "figure 7: {} s virtual, {} start, {} timers, contacts {}",
-            duration.secs(),
-            options.start,
-            common.phase,
-            if options.no_contacts { "off" } else { "on" },
-        ));
+    let swarms = &options.swarms;
+    let common = &swarms.common;
+    let experiment = Fig7 {
+        options,
+        duration_s: common.duration_s(if common.full { "100 s" } else { "5 s" })?,
+        sizes: swarms.sizes(SIZES[0], SIZES[1]),
+    };
+    let setup = format!(
+        "{} s virtual, {} start, {} timers, contacts {}",
+        experiment.duration_s,
+        swarms.start,
+        common.phase,
+        contacts(options),
+    );
+    if !common.json && common.alone.is_none() {
+        remark(format!("figure 7: {setup}"));
     }
-    let rows = measure(options)?;
+    let Some(measured) = measure::measure(&experiment)? else {
+        return Ok(());
+    };
+    let rows = rows(&experiment, &measured.rows);
     table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
-    if common.json {
-        return table::json(&rows);
+    if !common.json {
+        print(&rows)?;
+        table::method(&measured.rows);
+        if swarms.threads.len() > 1 {
+            remark(
+                "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
+                 number of free processors can make it",
+            );
+            table::same_for(&swarms.threads);
+        }
+        peers(&rows);
     }
-    print(&rows)?;
-    table::method(common.repeat);
-    if options.threads.len() > 1 {
-        remark(
-            "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
-             number of free processors can make it",
-        );
-        table::same_for(&options.threads);
-    }
-    peers(&rows);
-    Ok(())
+    let report = Report {
+        name: "fig7",
+        title: "Figure 7: ever more bees on a random walk",
+        setup,
+        x: "bees",
+        all_shares: false,
+        paper: paper::FIG7,
+        facts: &|case| experiment.facts(case),
+        searched: |facts, n| facts.n = n,
+    };
+    report.finish(&experiment, &measured, &rows)
 }
 
-fn measure(options: &Options) -> Result<Vec<Row>, Failure> {
-    // From small to large, so that what the process holds at most is each swarm's own.
-    let mut sizes = options.n.clone();
-    sizes.sort_unstable();
-    sizes.dedup();
-    let load = |n| {
-        let workload = Workload {
-            bees: n,
-            duration: &options.duration,
-            edges_m: [edge_m(n, &options.start); 3],
-            phase: &options.common.phase,
-            contacts: !options.no_contacts,
-            channel: None,
-        };
-        workload.load()
-    };
-
-    // Whatever the program needs once, it has from here on.
-    workload::run(&load(1)?, 1, None)?;
-    let before = process::peak_bytes();
-
-    let mut cases = Vec::new();
-    for &n in &sizes {
-        cases.extend(options.threads.iter().map(|&threads| (n, threads)));
-    }
-    let mut peaks = Vec::with_capacity(cases.len());
-    let costs = table::rounds(cases.len(), options.common.repeat, |case| {
-        let (n, threads) = cases[case];
-        let cost = workload::run(&load(n)?, threads, None)?;
-        if peaks.len() == case {
-            peaks.push(process::peak_bytes());
-        }
-        Ok(cost)
-    })?;
-
-    let several = options.threads.len();
-    let row = |case: usize| {
-        let ((n, threads), cost, first) = (cases[case], &costs[case], case - case % several);
-        let grown = peaks[first].zip(before).map(|(peak, before)| peak - before);
+fn rows(experiment: &Fig7<'_>, measured: &[Measurement]) -> Vec<Row> {
+    let threads = &experiment.options.swarms.threads;
+    let row = |at: usize| {
+        let (row, first) = (&measured[at], &measured[at - at % threads.len()]);
+        let (n, cost) = (row.case.size, &row.least);
+        let memory = row.runs.iter().filter_map(|run| run.memory_bytes);
         Row {
             n,
-            threads,
+            threads: threads[row.case.line],
             cpu_us_per_bee_s: cost
                 .cpu_s
                 .map(|cpu_s| cpu_s * 1e6 / cost.virtual_s / f64::from(n)),
-            memory_kib_per_bee: grown.map(|bytes| bytes / 1024.0 / f64::from(n)),
-            gain: costs[first].wall_s / cost.wall_s,
+            memory_kib_per_bee: memory
+                .max_by(f64::total_cmp)
+                .map(|bytes| bytes / 1024.0 / f64::from(n)),
+            gain: first.least.wall_s / cost.wall_s,
             cost: cost.clone(),
         }
     };
-    Ok((0..cases.len()).map(row).collect())
+    (0..measured.len()).map(row).collect()
 }
 
 /// Edge of the cube that they start in, m.

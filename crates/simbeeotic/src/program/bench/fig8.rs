@@ -1,51 +1,120 @@
 //! Figure 8: ever more bees that all talk and listen. A broadcast of four bytes once a second, range
 //! 30 m, a listener called for each packet; no contacts.
 
+use super::alone::Case;
+use super::arguments::{Common, Swarms};
+use super::files::Facts;
+use super::measure::{self, Experiment, Row as Measurement};
+use super::report::Report;
 use super::workload::{self, Cost, PAPER_EDGE_M, Workload};
-use super::{Common, Failure, arguments, input, remark, show, table};
+use super::{Failure, paper, remark, show, table};
 use clap::Args;
 use serde::Serialize;
+use simbeeotic_scenario::Loaded;
+use std::time::Duration;
 
 /// Arguments of `bench fig8`.
 #[derive(Args)]
 pub(in crate::program) struct Options {
-    /// Swarm sizes
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "550,1000,3000,10000",
-        value_parser = arguments::swarm_size,
-        allow_negative_numbers = true
-    )]
-    n: Vec<u32>,
-    /// Virtual time of each run; the paper's is "100 s"
-    #[arg(
-        long,
-        default_value = "10 s",
-        value_name = "TIME",
-        allow_hyphen_values = true
-    )]
-    duration: String,
-    /// Threads that run models; of several, as 1,2, each swarm is run with each, and compared
-    #[arg(
-        long,
-        value_delimiter = ',',
-        default_value = "1",
-        value_parser = arguments::threads,
-        allow_negative_numbers = true
-    )]
-    threads: Vec<usize>,
     /// The air: simple (the paper's: no air time, no interference) or ieee802154 (one channel, shared)
     #[arg(long, default_value = "simple", value_parser = ["simple", "ieee802154"])]
     medium: String,
-    /// Start: paper (random in a 20 m cube) or density (on a plane, one bee per 100 square metres)
-    #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
-    start: String,
     /// Bees collide
     #[arg(long)]
     contacts: bool,
     #[command(flatten)]
-    common: Common,
+    swarms: Swarms,
+}
+
+/// What is below the options in the help.
+pub(super) const HELP: &str = "\
+Sizes: 550,1000,3000,8192, each for 5 s; with --full 100,200,550,1000,2000,4000,8192,16384, each for 100 s.
+
+Examples:
+  simbeeotic bench fig8
+  simbeeotic bench fig8 --full -o out/fig8-full
+  simbeeotic bench fig8 --medium ieee802154 --phase random";
+
+/// Swarms of the quick and of the whole experiment.
+const SIZES: [&[u32]; 2] = [
+    &[550, 1_000, 3_000, 8_192],
+    &[100, 200, 550, 1_000, 2_000, 4_000, 8_192, 16_384],
+];
+
+/// The experiment, its arguments read.
+struct Fig8<'a> {
+    options: &'a Options,
+    duration_s: f64,
+    sizes: Vec<u32>,
+}
+
+impl Fig8<'_> {
+    fn load(&self, n: u32, duration_s: f64) -> Result<Loaded, Failure> {
+        let swarms = &self.options.swarms;
+        let workload = Workload {
+            bees: n,
+            duration_s,
+            edges_m: edges_m(n, &swarms.start),
+            phase: &swarms.common.phase,
+            contacts: self.options.contacts,
+            channel: Some(channel(&self.options.medium)),
+        };
+        workload.load()
+    }
+
+    fn facts(&self, case: Case) -> Facts {
+        let swarms = &self.options.swarms;
+        Facts {
+            n: Some(case.size),
+            threads: Some(swarms.threads[case.line]),
+            start: swarms.start.clone(),
+            phase: swarms.common.phase.clone(),
+            contacts: contacts(self.options).to_owned(),
+            medium: self.options.medium.clone(),
+            ..Facts::default()
+        }
+    }
+}
+
+impl Experiment for Fig8<'_> {
+    fn common(&self) -> &Common {
+        &self.options.swarms.common
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.duration_s
+    }
+
+    fn sizes(&self) -> &[u32] {
+        &self.sizes
+    }
+
+    fn lines(&self) -> Vec<String> {
+        let threads = self.options.swarms.threads.iter();
+        threads.map(|threads| show::threads(*threads)).collect()
+    }
+
+    fn ceiling(&self) -> u32 {
+        1_000_000
+    }
+
+    fn repeats(&self) -> u32 {
+        3
+    }
+
+    fn warm_up(&self) -> Result<(), Failure> {
+        workload::run(&self.load(50, 1.0)?, 1, None, None).map(drop)
+    }
+
+    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+        let loaded = self.load(case.size, self.duration_s)?;
+        let threads = self.options.swarms.threads[case.line];
+        workload::run(&loaded, threads, None, wall)
+    }
+}
+
+fn contacts(options: &Options) -> &'static str {
+    if options.contacts { "on" } else { "off" }
 }
 
 /// One row of the table: a swarm on some threads.
@@ -77,73 +146,62 @@ struct Row {
 }
 
 pub(super) fn fig8(options: &Options) -> Result<(), Failure> {
-    let common = &options.common;
-    let duration = input::time("--duration", &options.duration)?;
-    if !common.json {
-        remark(format!(
-            "figure 8: {} s virtual, {} start, {} timers, medium {}, contacts {}",
-            duration.secs(),
-            options.start,
-            common.phase,
-            options.medium,
-            if options.contacts { "on" } else { "off" },
-        ));
-    }
-    let rows = measure(options)?;
-    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
-    if common.json {
-        return table::json(&rows);
-    }
-    print(&rows)?;
-    table::method(common.repeat);
-    remark(
-        "cpu/s: processor seconds for each virtual second; ns/rx: of them for each packet received; \
-         ns/pair: of the radio's wall time, for each packet sent and each of the others",
+    let swarms = &options.swarms;
+    let common = &swarms.common;
+    let experiment = Fig8 {
+        options,
+        duration_s: common.duration_s(if common.full { "100 s" } else { "5 s" })?,
+        sizes: swarms.sizes(SIZES[0], SIZES[1]),
+    };
+    let setup = format!(
+        "{} s virtual, {} start, {} timers, medium {}, contacts {}",
+        experiment.duration_s,
+        swarms.start,
+        common.phase,
+        options.medium,
+        contacts(options),
     );
-    if options.threads.len() > 1 {
-        table::same_for(&options.threads);
+    if !common.json && common.alone.is_none() {
+        remark(format!("figure 8: {setup}"));
     }
-    peers(options, &rows);
-    Ok(())
+    let Some(measured) = measure::measure(&experiment)? else {
+        return Ok(());
+    };
+    let rows = rows(options, &measured.rows);
+    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
+    if !common.json {
+        print(&rows)?;
+        table::method(&measured.rows);
+        remark(
+            "cpu/s: processor seconds for each virtual second; ns/rx: of them for each packet received; \
+             ns/pair: of the radio's wall time, for each packet sent and each of the others",
+        );
+        if swarms.threads.len() > 1 {
+            table::same_for(&swarms.threads);
+        }
+        peers(options, &rows);
+    }
+    let report = Report {
+        name: "fig8",
+        title: "Figure 8: ever more bees that all talk and listen",
+        setup,
+        x: "bees",
+        all_shares: false,
+        paper: paper::FIG8,
+        facts: &|case| experiment.facts(case),
+        searched: |facts, n| facts.n = n,
+    };
+    report.finish(&experiment, &measured, &rows)
 }
 
-fn measure(options: &Options) -> Result<Vec<Row>, Failure> {
-    let mut sizes = options.n.clone();
-    sizes.sort_unstable();
-    sizes.dedup();
-    let load = |n| {
-        let workload = Workload {
-            bees: n,
-            duration: &options.duration,
-            edges_m: edges_m(n, &options.start),
-            phase: &options.common.phase,
-            contacts: options.contacts,
-            channel: Some(channel(&options.medium)),
-        };
-        workload.load()
+fn rows(options: &Options, measured: &[Measurement]) -> Vec<Row> {
+    let threads = &options.swarms.threads;
+    let row = |at: usize| {
+        let (of, first) = (&measured[at], &measured[at - at % threads.len()]);
+        let threads = threads[of.case.line];
+        row(of.case.size, threads, options, &of.least, &first.least)
     };
-    workload::run(&load(2)?, 1, None)?; // to warm up
-
-    let mut cases = Vec::new();
-    for &n in &sizes {
-        cases.extend(options.threads.iter().map(|&threads| (n, threads)));
-    }
-    let costs = table::rounds(cases.len(), options.common.repeat, |case| {
-        let (n, threads) = cases[case];
-        workload::run(&load(n)?, threads, None)
-    })?;
-    let several = options.threads.len();
-    let row = |case: usize| {
-        let (n, threads) = cases[case];
-        row(
-            n,
-            threads,
-            options,
-            &costs[case],
-            &costs[case - case % several],
-        )
-    };
-    Ok((0..cases.len()).map(row).collect())
+    (0..measured.len()).map(row).collect()
 }
 
 fn row(n: u32, threads: usize, options: &Options, cost: &Cost, first: &Cost) -> Row {
@@ -215,7 +273,7 @@ fn peers(options: &Options, rows: &[Row]) {
              these packets collide, or are never sent",
         );
     }
-    if options.start == "paper" {
+    if options.swarms.start == "paper" {
         remark(
             "the paper's soft real-time limit for this workload: 550 MAVs (2.2 GHz quad-core, 2011)",
         );

@@ -1,35 +1,41 @@
 //! The table of an experiment: its rows are run round by round, checked, and printed.
 
+use super::alone::Run;
+use super::measure::Row;
 use super::workload::Cost;
 use super::{Failure, remark, say};
 use serde::Serialize;
 
-/// Runs `run(row)` for `rows` rows, `repeat` times in turn, and gives the least cost of each row.
+/// Runs `run(row)` for `rows` rows, `repeat` times in turn, and gives the runs of each row. After so many
+/// whole rounds `again` says whether there is time for one more.
 ///
 /// # Errors
 /// A run that fails, or whose trace hash differs from that of the row's first run.
 pub(super) fn rounds(
     rows: usize,
     repeat: u32,
-    mut run: impl FnMut(usize) -> Result<Cost, Failure>,
-) -> Result<Vec<Cost>, Failure> {
-    let mut costs: Vec<Cost> = Vec::with_capacity(rows);
-    for _ in 0..repeat {
-        for row in 0..rows {
-            let cost = run(row)?;
-            match costs.get_mut(row) {
-                None => costs.push(cost),
-                Some(least) if least.trace_hash == cost.trace_hash => least.least(&cost),
-                Some(first) => {
-                    return Err(Failure::run(format!(
-                        "two runs of one scenario differ: trace hashes {} and {}",
-                        first.trace_hash, cost.trace_hash
-                    )));
-                }
+    again: impl Fn(u32) -> bool,
+    mut run: impl FnMut(usize) -> Result<Run, Failure>,
+) -> Result<Vec<Vec<Run>>, Failure> {
+    let mut all: Vec<Vec<Run>> = vec![Vec::new(); rows];
+    for round in 0..repeat {
+        if round > 0 && !again(round) {
+            break;
+        }
+        for (row, runs) in all.iter_mut().enumerate() {
+            let run = run(row)?;
+            if let Some(first) = runs.first()
+                && first.cost.trace_hash != run.cost.trace_hash
+            {
+                return Err(Failure::run(format!(
+                    "two runs of one scenario differ: trace hashes {} and {}",
+                    first.cost.trace_hash, run.cost.trace_hash
+                )));
             }
+            runs.push(run);
         }
     }
-    Ok(costs)
+    Ok(all)
 }
 
 /// The number of threads must not show in a run: rows of so many bees, in order, on so many threads.
@@ -101,55 +107,59 @@ pub(super) fn json(rows: &[impl Serialize]) -> Result<(), Failure> {
 }
 
 /// Says how the figures were taken.
-pub(super) fn method(repeat: u32) {
+pub(super) fn method(rows: &[Row]) {
+    let repeat = rows.iter().map(|row| row.runs.len()).min().unwrap_or(0);
     if repeat > 1 {
         remark(format!(
-            "each figure is the least of {repeat} interleaved runs, which had equal trace hashes"
+            "each figure is the least of {repeat} interleaved runs, which had equal trace hashes; each run \
+             had a process of its own"
         ));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::workload::tests::cost;
     use super::*;
 
-    fn cost(wall_s: f64, trace_hash: &str) -> Cost {
-        Cost {
-            events_s: 0.0,
-            physics_s: 0.0,
-            radio_s: 0.0,
-            other_s: 0.0,
-            wall_s,
-            speed: 1.0 / wall_s,
-            cpu_s: None,
-            busiest_thread_s: None,
-            virtual_s: 1.0,
-            events: 0,
-            touches: 0,
-            packets: [0; 2],
-            trace_hash: trace_hash.to_owned(),
-        }
-    }
-
     #[test]
-    fn rows_are_run_in_turn_and_keep_their_least() {
+    fn rows_are_run_in_turn_and_keep_all_their_runs() {
         let mut order = Vec::new();
-        let costs = rounds(2, 3, |row| {
-            order.push(row);
-            Ok(cost(5.0 + row as f64 - order.len() as f64 / 8.0, "same"))
-        });
-        let Ok(costs) = costs else {
+        let runs = rounds(
+            2,
+            3,
+            |_| true,
+            |row| {
+                order.push(row);
+                Ok(Run::of(cost(5.0 + order.len() as f64, "same")))
+            },
+        );
+        let Ok(runs) = runs else {
             panic!("all runs are alike")
         };
         assert_eq!(order, [0, 1, 0, 1, 0, 1]);
-        assert_eq!([costs[0].wall_s, costs[1].wall_s], [4.375, 5.25]);
+        let walls = |row: usize| -> Vec<f64> { runs[row].iter().map(|r| r.cost.wall_s).collect() };
+        assert_eq!(
+            (walls(0), walls(1)),
+            (vec![6.0, 8.0, 10.0], vec![7.0, 9.0, 11.0])
+        );
+    }
+
+    #[test]
+    fn there_is_one_round_and_more_only_if_there_is_time() {
+        for (time_for, rounds_run) in [(0, 1), (2, 2), (9, 4)] {
+            let again = |done| done < time_for;
+            let runs = rounds(1, 4, again, |_| Ok(Run::of(cost(1.0, "same"))));
+            let runs = runs.map(|runs| runs[0].len());
+            assert_eq!(runs.ok(), Some(rounds_run));
+        }
     }
 
     #[test]
     fn runs_that_differ_are_an_error() {
         let mut hashes = ["a", "b", "a", "c"].into_iter();
-        let mut run = |_| Ok(cost(1.0, hashes.next().expect("a run")));
-        let failure = rounds(2, 2, &mut run).err().expect("b is not c");
+        let run = |_| Ok(Run::of(cost(1.0, hashes.next().expect("a run"))));
+        let failure = rounds(2, 2, |_| true, run).err().expect("b is not c");
         assert!(failure.message.contains("b and c"), "{}", failure.message);
     }
 

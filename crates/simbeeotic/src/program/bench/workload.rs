@@ -3,11 +3,12 @@
 //! everybody listens to.
 
 use super::{Failure, input, process};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use simbeeotic_model::world::World;
 use simbeeotic_model::{Setup, Simulation};
 use simbeeotic_scenario::{Loaded, Request, load_text};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Edge of the cube that the paper's bees start in, m.
 pub(super) const PAPER_EDGE_M: f64 = 20.0;
@@ -21,8 +22,8 @@ pub(super) const SEED: u64 = 111_982;
 /// A swarm at the paper's work.
 pub(super) struct Workload<'a> {
     pub(super) bees: u32,
-    /// Virtual time, with its unit.
-    pub(super) duration: &'a str,
+    /// Virtual time, s.
+    pub(super) duration_s: f64,
     /// They start in a box with these edges and one corner in the origin, m.
     pub(super) edges_m: [f64; 3],
     /// `aligned` or `random`.
@@ -37,7 +38,7 @@ impl Workload<'_> {
     pub(super) fn load(&self) -> Result<Loaded, Failure> {
         let Self {
             bees,
-            duration,
+            duration_s,
             edges_m: [east, north, up],
             phase,
             contacts,
@@ -51,7 +52,7 @@ impl Workload<'_> {
             r#"
 [run]
 seed = {SEED}
-end_time = "{duration}"
+end_time = "{duration_s} s"
 
 [[model]]
 use = "instrument-bee"
@@ -80,7 +81,7 @@ use = "compass"
 }
 
 /// What a run costs. Seconds are wall time, unless they are the processor's.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Cost {
     pub(super) events_s: f64,
     pub(super) physics_s: f64,
@@ -124,13 +125,15 @@ impl Cost {
     }
 }
 
-/// Runs a scenario once, with `world` in place of its own if there is one.
+/// Runs a scenario once, with `world` in place of its own if there is one; it ends after so much wall time.
 pub(super) fn run(
     loaded: &Loaded,
     threads: usize,
     world: Option<&Arc<World>>,
+    wall: Option<Duration>,
 ) -> Result<Cost, Failure> {
-    let setup = input::setup(loaded)?;
+    let mut setup = input::setup(loaded)?;
+    setup.limits.wall = wall;
     let world = world.map_or_else(|| Arc::clone(&setup.world), Arc::clone);
     let setup = Setup {
         threads,
@@ -164,32 +167,36 @@ pub(super) fn run(
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn cost(wall_s: f64, cpu_s: Option<f64>) -> Cost {
+    /// Of a run of ten virtual seconds.
+    pub(in crate::program::bench) fn cost(wall_s: f64, trace_hash: &str) -> Cost {
         Cost {
-            events_s: 1.0,
-            physics_s: 3.0 - wall_s,
+            events_s: 0.25 * wall_s,
+            physics_s: 0.5 * wall_s,
             radio_s: 0.0,
-            other_s: 0.0,
+            other_s: 0.25 * wall_s,
             wall_s,
             speed: 10.0 / wall_s,
-            cpu_s,
+            cpu_s: Some(0.75 * wall_s),
             busiest_thread_s: None,
             virtual_s: 10.0,
             events: 7,
             touches: 0,
             packets: [0; 2],
-            trace_hash: "a".to_owned(),
+            trace_hash: trace_hash.to_owned(),
         }
     }
 
     #[test]
     fn the_least_is_taken_figure_by_figure() {
-        let mut least = cost(2.0, Some(1.5));
-        least.least(&cost(1.0, Some(1.75)));
-        assert_eq!((least.wall_s, least.physics_s), (1.0, 1.0));
-        assert_eq!((least.cpu_s, least.speed), (Some(1.5), 10.0));
+        let mut least = Cost {
+            physics_s: 0.125,
+            ..cost(2.0, "a")
+        };
+        least.least(&cost(1.0, "a"));
+        assert_eq!((least.wall_s, least.physics_s), (1.0, 0.125));
+        assert_eq!((least.cpu_s, least.speed), (Some(0.75), 10.0));
     }
 }

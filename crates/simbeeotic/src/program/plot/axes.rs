@@ -10,7 +10,23 @@ pub(crate) struct Axis {
     pub(crate) low: f64,
     pub(crate) high: f64,
     pub(crate) step: f64,
+    /// Whether equal lengths are equal ratios, not equal differences.
+    pub(crate) scale: Scale,
 }
+
+/// What equal lengths on an axis are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scale {
+    /// Equal differences.
+    Linear,
+    /// Equal ratios.
+    Log,
+    /// Equal ratios, and zero by itself before them.
+    LogAndZero,
+}
+
+/// The part of a logarithmic axis that belongs to zero.
+const ZERO_SHARE: f64 = 0.1;
 
 impl Axis {
     /// From `low` to `high`, with about so many ticks at whole multiples of 1, 2 or 5 times a power of
@@ -22,6 +38,27 @@ impl Axis {
             low,
             high,
             step: nice((high - low) / ticks),
+            scale: Scale::Linear,
+        }
+    }
+
+    /// Logarithmic, from the lesser to the greater of two numbers above zero, stretched to the next of 1, 2
+    /// and 5 times a power of ten; with a place for zero before it, if `zero`.
+    pub(crate) fn log(label: impl Into<String>, [low, high]: [f64; 2], zero: bool) -> Self {
+        let low = if low > 0.0 && low.is_finite() {
+            low
+        } else {
+            1.0
+        };
+        let low = 1.0 / nice(1.0 / low);
+        let high = if high > low { nice(high) } else { 10.0 * low };
+        let scale = if zero { Scale::LogAndZero } else { Scale::Log };
+        Self {
+            label: label.into(),
+            low,
+            high,
+            step: 0.0,
+            scale,
         }
     }
 
@@ -37,6 +74,9 @@ impl Axis {
     /// The ticks with their numbers.
     pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let small = 1e-9;
+        if self.scale != Scale::Linear {
+            return self.log_ticks();
+        }
         let first = (self.low / self.step - small).ceil() as i64;
         let last = (self.high / self.step + small).floor() as i64;
         let ticks = first..=last;
@@ -48,8 +88,43 @@ impl Axis {
             .collect()
     }
 
+    /// Ticks at powers of ten; of a short axis also at twice and five times each.
+    fn log_ticks(&self) -> Vec<(f64, String)> {
+        let small = 1e-9;
+        let [first, last] = [self.low, self.high].map(math::log10);
+        let digits: &[f64] = match last - first < 2.5 {
+            true => &[1.0, 2.0, 5.0],
+            false => &[1.0],
+        };
+        let mut ticks = Vec::new();
+        if self.scale == Scale::LogAndZero {
+            ticks.push((0.0, "0".to_owned()));
+        }
+        for power in first.floor() as i32..=last.ceil() as i32 {
+            let ten = math::pow(10.0, f64::from(power));
+            let values = digits.iter().map(|digit| digit * ten);
+            let inside =
+                |v: &f64| (self.low * (1.0 - small)..=self.high * (1.0 + small)).contains(v);
+            ticks.extend(
+                values
+                    .filter(inside)
+                    .map(|value| (value, number(value, ten))),
+            );
+        }
+        ticks
+    }
+
     fn share(&self, value: f64) -> f64 {
-        (value - self.low) / (self.high - self.low)
+        let before = match self.scale {
+            Scale::Linear => return (value - self.low) / (self.high - self.low),
+            Scale::Log => 0.0,
+            Scale::LogAndZero if value <= 0.0 => return 0.3 * ZERO_SHARE,
+            Scale::LogAndZero => ZERO_SHARE,
+        };
+        // What is not above zero has no place: it goes to the lower end.
+        let ratio = (value / self.low).max(1e-300);
+        let share = math::ln(ratio) / math::ln(self.high / self.low);
+        before + (1.0 - before) * share.max(0.0)
     }
 }
 
@@ -175,6 +250,32 @@ mod tests {
         let wide = Axis::stretched("", 3.0, 2900.0, 3.0);
         assert_eq!((wide.low, wide.high), (0.0, 3000.0));
         assert_eq!(texts(&wide), ["0", "1,000", "2,000", "3,000"]);
+    }
+
+    #[test]
+    fn on_a_logarithmic_axis_equal_ratios_are_equally_far() {
+        let axis = Axis::log("", [0.03, 700.0], false);
+        assert!(
+            (axis.low - 0.02).abs() < 1e-12 && axis.high == 1000.0,
+            "{axis:?}"
+        );
+        let gap = axis.share(1.0) - axis.share(0.1);
+        assert!((axis.share(100.0) - axis.share(10.0) - gap).abs() < 1e-12);
+        assert!(axis.share(axis.low).abs() < 1e-12 && (axis.share(1000.0) - 1.0).abs() < 1e-12);
+        assert_eq!((axis.share(0.0), axis.share(f64::NAN)), (0.0, 0.0));
+        let texts: Vec<String> = axis.ticks().into_iter().map(|t| t.1).collect();
+        assert_eq!(texts, ["0.1", "1", "10", "100", "1,000"]);
+        let short = Axis::log("", [3.0, 90.0], false);
+        let texts: Vec<String> = short.ticks().into_iter().map(|t| t.1).collect();
+        assert_eq!(texts, ["2", "5", "10", "20", "50", "100"]);
+    }
+
+    #[test]
+    fn zero_has_a_place_of_its_own_before_a_logarithmic_axis() {
+        let axis = Axis::log("", [10.0, 1000.0], true);
+        assert!(0.0 < axis.share(0.0) && axis.share(0.0) < axis.share(10.0));
+        assert_eq!(axis.ticks()[0], (0.0, "0".to_owned()));
+        assert!((axis.share(1000.0) - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! Why there is no plotting library below it: `docs/adr/0014-plots-without-a-library.md`.
 
 pub(super) mod axes;
+pub(super) mod chart;
 mod delivery;
 pub(super) mod font;
 mod links;

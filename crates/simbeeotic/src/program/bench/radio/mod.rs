@@ -58,7 +58,7 @@ pub(in crate::program) struct Options {
     seed: i64,
     /// Independent runs of each topology, 1 to 1000. Told is their mean: counts rounded, the ratio that
     /// of the sums [default: as many as make 50,000 requests in all, but 50 at most]
-    #[arg(long, value_name = "N", value_parser = super::repeats, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = super::arguments::repeats, allow_negative_numbers = true)]
     repeat: Option<u32>,
     /// Print an object as JSON; an array of them for several topologies
     #[arg(long)]

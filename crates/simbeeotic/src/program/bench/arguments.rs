@@ -1,0 +1,126 @@
+//! What the experiments can be asked.
+
+use super::super::{Failure, arguments, input};
+use clap::Args;
+use std::path::PathBuf;
+
+/// What every experiment can be asked.
+#[derive(Args)]
+pub(super) struct Common {
+    /// The paper's ranges, and its 100 s of virtual time
+    #[arg(long)]
+    pub(super) full: bool,
+    /// Virtual time of each run; the paper's is "100 s"
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(super) duration: Option<String>,
+    /// Timers: all bees at once (aligned), or each at its own time (random)
+    #[arg(long, default_value = "aligned", value_parser = ["aligned", "random"])]
+    pub(super) phase: String,
+    /// Runs of each row, round by round; the table tells the least of each figure [default: 3, of
+    /// figure 6 7; fewer if --within is not enough]
+    #[arg(long, value_parser = repeats, allow_negative_numbers = true)]
+    pub(super) repeat: Option<u32>,
+    /// Do not search the soft real-time limit
+    #[arg(long)]
+    pub(super) no_limit: bool,
+    /// Wall time after which no further round is begun, and the search of the limit ends [default: 45 s;
+    /// with --full 30 min]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    within: Option<String>,
+    /// Folder for the table (CSV and Parquet) and the plot (SVG and PNG) [default: out/ and the figure's
+    /// name]
+    #[arg(long, short, value_name = "FOLDER")]
+    pub(super) output: Option<PathBuf>,
+    /// Write no files
+    #[arg(long, conflicts_with = "output")]
+    pub(super) no_files: bool,
+    /// Print the rows and the limits as JSON
+    #[arg(long)]
+    pub(super) json: bool,
+    /// How the program calls itself: one run, LINE:SIZE or LINE:SIZE:WALL_S, told as JSON
+    #[arg(long, hide = true)]
+    pub(super) alone: Option<String>,
+}
+
+impl Common {
+    /// Virtual time of each run, s.
+    pub(super) fn duration_s(&self, or: &str) -> Result<f64, Failure> {
+        let text = self.duration.as_deref().unwrap_or(or);
+        input::time("--duration", text).map(|time| time.secs())
+    }
+
+    /// Wall time for repeats and the limit, s.
+    pub(super) fn within_s(&self) -> Result<f64, Failure> {
+        let or = if self.full { "30 min" } else { "45 s" };
+        let text = self.within.as_deref().unwrap_or(or);
+        input::time("--within", text).map(|time| time.secs())
+    }
+}
+
+pub(super) fn repeats(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(n) if (1..=1000).contains(&n) => Ok(n),
+        _ => Err("a row is run between 1 and 1000 times".to_owned()),
+    }
+}
+
+/// What experiments with ever larger swarms can be asked.
+#[derive(Args)]
+pub(super) struct Swarms {
+    /// Swarm sizes [default: see below]
+    #[arg(
+        long,
+        value_delimiter = ',',
+        value_parser = arguments::swarm_size,
+        allow_negative_numbers = true
+    )]
+    n: Vec<u32>,
+    /// Threads that run models; of several, as 1,2, each swarm is run with each, and compared
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "1",
+        value_parser = arguments::threads,
+        allow_negative_numbers = true
+    )]
+    pub(super) threads: Vec<usize>,
+    /// Start: paper (random in a 20 m cube) or density (as much room for each bee in any swarm: 8 cubic
+    /// metres in figure 7, 100 square metres of a plane in figure 8)
+    #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
+    pub(super) start: String,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+impl Swarms {
+    /// The sizes asked for, or else these: from small to large, each once.
+    pub(super) fn sizes(&self, quick: &[u32], full: &[u32]) -> Vec<u32> {
+        sizes(&self.n, self.common.full, quick, full)
+    }
+}
+
+/// The numbers asked for, or else those of the quick or the full experiment: from small to large, each
+/// once.
+pub(super) fn sizes(asked: &[u32], whole: bool, quick: &[u32], full: &[u32]) -> Vec<u32> {
+    let numbers = match (asked, whole) {
+        ([], false) => quick,
+        ([], true) => full,
+        (asked, _) => asked,
+    };
+    let mut numbers = numbers.to_vec();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sizes;
+
+    #[test]
+    fn sizes_are_those_asked_for_or_the_experiments_own() {
+        assert_eq!(sizes(&[30, 10, 30], true, &[1], &[2]), [10, 30]);
+        assert_eq!(sizes(&[], false, &[1], &[2]), [1]);
+        assert_eq!(sizes(&[], true, &[1], &[3, 2]), [2, 3]);
+    }
+}

@@ -1,0 +1,218 @@
+//! The plot of an experiment: wall time for the paper's 100 virtual seconds over the size, as in the paper's
+//! figures; the soft real-time limits as dashed lines, here and there.
+
+use super::limit::{Limit, count};
+use super::machine::Machine;
+use super::measure::{Measured, Row};
+use super::paper::{self, Paper};
+use super::workload::Cost;
+use crate::program::plot::axes::Axis;
+use crate::program::plot::chart::{Across, Chart, Curve, Marker, Rule};
+use crate::program::plot::palette::series;
+use crate::program::plot::sheet::{FAINT, Ink, Sheet};
+
+/// What the plot of an experiment is made from.
+pub(super) struct Figure<'a> {
+    pub(super) title: &'a str,
+    /// What was run, short.
+    pub(super) setup: String,
+    /// What is on the x axis.
+    pub(super) x: &'a str,
+    /// What sets the curves apart, in words.
+    pub(super) lines: Vec<String>,
+    /// Whether all curves show where their time goes, or only the first one.
+    pub(super) all_shares: bool,
+    pub(super) paper: Paper,
+    pub(super) measured: &'a Measured,
+    pub(super) machine: &'a Machine,
+    pub(super) duration_s: f64,
+}
+
+/// Width and height, pixels.
+const SIZE: [u32; 2] = [1100, 720];
+
+/// What part of the time, in the order of the key, and its colour.
+const SHARES: [(&str, fn(&Cost) -> f64, usize); 5] = [
+    ("all", |cost| cost.wall_s, 0),
+    ("events", |cost| cost.events_s, 1),
+    ("physics", |cost| cost.physics_s, 2),
+    ("radio", |cost| cost.radio_s, 5),
+    ("other", |cost| cost.other_s, 4),
+];
+
+/// The colour of what the paper says.
+fn paper_ink() -> Ink {
+    series(3)
+}
+
+const MARKERS: [Marker; 2] = [Marker::Disc, Marker::Square];
+
+impl Figure<'_> {
+    pub(super) fn draw(&self) -> Sheet {
+        let mut curves = Vec::new();
+        for line in 0..self.lines.len() {
+            curves.extend(self.curves(line));
+        }
+        let rules = self.rules();
+        let known = self.paper.limit.map(|n| [f64::from(n), paper::DURATION_S]);
+        curves.push(Curve {
+            name: match known {
+                Some(_) => "paper: real time ends".to_owned(),
+                None => "paper: no numbers".to_owned(),
+            },
+            ink: paper_ink(),
+            marker: Marker::Diamond,
+            points: known.into_iter().collect(),
+            spread: Vec::new(),
+            line: None,
+        });
+
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let spreads = curves.iter().flat_map(|curve| &curve.spread);
+        let upright = rules.iter().filter_map(|rule| match rule.across {
+            Across::X(x) => Some(x),
+            Across::Y(_) => None,
+        });
+        let xs = points().map(|[x, _]| *x).chain(upright);
+        let ys = points().map(|[_, y]| *y).chain(spreads.flatten().copied());
+        let ys = ys.chain([paper::DURATION_S]);
+        let zero = points().any(|[x, _]| *x == 0.0);
+        let chart = Chart {
+            title: self.title.to_owned(),
+            caption: self.setup.clone(),
+            x: Axis::log(self.x, ends(xs), zero),
+            y: Axis::log("wall time for 100 virtual seconds, s", ends(ys), false),
+            curves,
+            rules,
+            notes: self.notes(),
+        };
+        let [width, height] = SIZE;
+        chart.draw(width, height)
+    }
+
+    /// Where the time of one curve goes.
+    fn curves(&self, line: usize) -> Vec<Curve> {
+        let rows: Vec<&Row> = (self.measured.rows.iter())
+            .filter(|row| row.case.line == line)
+            .collect();
+        let shares = if line == 0 || self.all_shares {
+            SHARES.len()
+        } else {
+            1
+        };
+        let mut curves = Vec::new();
+        for (what, of, colour) in SHARES.iter().take(shares) {
+            let per = |cost: &Cost| of(cost) * paper::DURATION_S / cost.virtual_s;
+            // What takes no time at all has no place on a logarithmic axis.
+            let rows = rows.iter().filter(|row| per(&row.least) > 1e-6);
+            let (points, spread): (Vec<_>, Vec<_>) = rows
+                .map(|row| {
+                    let all = || row.runs.iter().map(|run| per(&run.cost));
+                    let low = all().fold(f64::INFINITY, f64::min);
+                    let high = all().fold(0.0, f64::max);
+                    ([f64::from(row.case.size), low], [low, high])
+                })
+                .unzip();
+            if points.is_empty() {
+                continue;
+            }
+            let whole = *what == "all";
+            curves.push(Curve {
+                name: match self.lines.len() {
+                    1 => (*what).to_owned(),
+                    _ => format!("{what}, {}", self.lines[line]),
+                },
+                ink: match line {
+                    0 => series(*colour),
+                    _ => series(*colour).thin(0.55),
+                },
+                marker: MARKERS[line % MARKERS.len()],
+                points,
+                spread,
+                line: Some(if whole { 2.6 } else { 1.6 }),
+            });
+        }
+        curves
+    }
+
+    fn rules(&self) -> Vec<Rule> {
+        let mut rules = vec![Rule {
+            across: Across::Y(paper::DURATION_S),
+            label: "soft real time ends".to_owned(),
+            ink: FAINT,
+        }];
+        for (line, limit) in self.measured.limits.iter().enumerate() {
+            let whose = match self.lines.len() {
+                1 => "here".to_owned(),
+                _ => format!("here, {}", self.lines[line]),
+            };
+            if let Some(n) = limit.estimate {
+                rules.push(Rule {
+                    across: Across::X(f64::from(n)),
+                    label: format!("{whose}: {}", count(n)),
+                    ink: series(0),
+                });
+            }
+        }
+        if let Some(n) = self.paper.limit {
+            rules.push(Rule {
+                across: Across::X(f64::from(n)),
+                label: format!("paper: {}", count(n)),
+                ink: paper_ink(),
+            });
+        }
+        rules
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        let limits = self.measured.limits.iter().zip(&self.lines);
+        let limits: Vec<String> = limits
+            .map(|(limit, line)| said(limit, line, self.lines.len()))
+            .collect();
+        if !limits.is_empty() {
+            notes.push(format!("Soft real-time limit here: {}.", limits.join("; ")));
+        }
+        let runs = self.measured.rows.iter().map(|row| row.runs.len());
+        let runs = runs.min().unwrap_or(0);
+        let scaled = match self.duration_s == paper::DURATION_S {
+            true => String::new(),
+            false => format!(
+                " Runs are of {} s, their times drawn {} times.",
+                self.duration_s,
+                paper::DURATION_S / self.duration_s
+            ),
+        };
+        notes.push(format!(
+            "Points: least of {runs} runs; bands and bars: all of them.{scaled}"
+        ));
+        notes.push(format!("Here: {}.", self.machine.line()));
+        notes.push(format!(
+            "Paper (2012): {}; {}. Its curves are not in its text, so they are not drawn.",
+            self.paper.says,
+            paper::CPU
+        ));
+        notes
+    }
+}
+
+/// A limit in words, and of which curve it is, if there are several.
+pub(super) fn said(limit: &Limit, line: &str, lines: usize) -> String {
+    match lines {
+        1 => limit.text.clone(),
+        _ => format!("{line}: {}", limit.text),
+    }
+}
+
+/// The least and the greatest of some numbers above zero.
+fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
+    let start = [f64::INFINITY, 0.0_f64];
+    let [low, high] = of
+        .filter(|x| *x > 0.0 && x.is_finite())
+        .fold(start, |[low, high], x| [low.min(x), high.max(x)]);
+    match low <= high {
+        // A point on an axis's end is hard to see.
+        true => [low / 1.14, high * 1.14],
+        false => [1.0, 10.0],
+    }
+}

@@ -1,0 +1,232 @@
+//! An experiment is measured: its rows round by round, then the limit of each of its curves.
+
+use super::alone::{self, Case, Order, Run};
+use super::arguments::Common;
+use super::limit::{Limit, Search, count};
+use super::workload::Cost;
+use super::{Failure, remark, table};
+use std::time::{Duration, Instant};
+
+/// What can be measured: curves over a size.
+pub(super) trait Experiment {
+    fn common(&self) -> &Common;
+    /// Virtual time of each run, s.
+    fn duration_s(&self) -> f64;
+    /// The sizes of the rows, from small to large.
+    fn sizes(&self) -> &[u32];
+    /// What sets the curves apart, in words.
+    fn lines(&self) -> Vec<String>;
+    /// The largest size that is tried when the limit is searched.
+    fn ceiling(&self) -> u32;
+    /// How many runs of a row are enough.
+    fn repeats(&self) -> u32;
+    /// Makes a run in this process before the measured one, which then finds code and caches warm.
+    fn warm_up(&self) -> Result<(), Failure>;
+    /// Makes a run in this process; it ends after so much wall time.
+    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure>;
+}
+
+/// A size on a curve, and its runs.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub(super) case: Case,
+    pub(super) runs: Vec<Run>,
+    /// The least of each figure.
+    pub(super) least: Cost,
+}
+
+impl Row {
+    pub(super) fn new(case: Case, runs: Vec<Run>) -> Option<Self> {
+        let mut costs = runs.iter().map(|run| &run.cost);
+        let mut least = costs.next()?.clone();
+        costs.for_each(|cost| least.least(cost));
+        Some(Self { case, runs, least })
+    }
+
+    /// Median of wall time over virtual time.
+    pub(super) fn ratio(&self) -> f64 {
+        median(self.runs.iter().map(Run::ratio).collect())
+    }
+}
+
+/// What came of an experiment.
+pub(super) struct Measured {
+    /// By size, then by curve.
+    pub(super) rows: Vec<Row>,
+    /// What was run to find the limits.
+    pub(super) probes: Vec<Row>,
+    /// One for each curve, if they were searched.
+    pub(super) limits: Vec<Limit>,
+}
+
+/// The bracket of a limit is narrow enough at 5 %.
+const TOLERANCE: f64 = 0.05;
+
+/// A probe that takes so many times its virtual time has failed, and need not go on.
+const HOPELESS: f64 = 1.25;
+
+/// Measures; or, if this is a process for one run, makes that: then there is nothing more to do.
+pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, Failure> {
+    let common = experiment.common();
+    if let Some(order) = &common.alone {
+        let order = Order::parse(order)?;
+        if order.case.line >= experiment.lines().len() {
+            return Err(Failure::input(format!(
+                "--alone: there are {} lines",
+                experiment.lines().len()
+            )));
+        }
+        alone::tell(
+            || experiment.warm_up(),
+            || experiment.run(order.case, order.wall),
+        )?;
+        return Ok(None);
+    }
+    let clock = Clock::start(common.within_s()?);
+    let rows = rows(experiment, &clock)?;
+    let (mut probes, mut limits) = (Vec::new(), Vec::new());
+    let lines = experiment.lines().len();
+    for line in (0..lines).filter(|_| !common.no_limit) {
+        // What the first curves leave is for the others.
+        let part = clock.left_s() / (lines - line) as f64;
+        let limit = limit(experiment, line, &rows, &Clock::start(part), &mut probes)?;
+        limits.push(limit);
+    }
+    Ok(Some(Measured {
+        rows,
+        probes,
+        limits,
+    }))
+}
+
+fn rows(experiment: &impl Experiment, clock: &Clock) -> Result<Vec<Row>, Failure> {
+    let mut cases = Vec::new();
+    for &size in experiment.sizes() {
+        cases.extend((0..experiment.lines().len()).map(|line| Case { line, size }));
+    }
+    let common = experiment.common();
+    let repeat = common.repeat.unwrap_or_else(|| experiment.repeats());
+    // Half of the time is the limit's; what is asked for is done whatever it takes.
+    let share = if common.no_limit { 1.0 } else { 0.5 };
+    let again = |done: u32| {
+        let next_s = clock.spent_s() / f64::from(done);
+        common.repeat.is_some() || clock.spent_s() + next_s <= share * clock.whole_s
+    };
+    let runs = table::rounds(cases.len(), repeat, again, |case| {
+        alone::run(cases[case], None)
+    })?;
+    let rows = cases.into_iter().zip(runs);
+    Ok(rows
+        .filter_map(|(case, runs)| Row::new(case, runs))
+        .collect())
+}
+
+fn limit(
+    experiment: &impl Experiment,
+    line: usize,
+    rows: &[Row],
+    clock: &Clock,
+    probes: &mut Vec<Row>,
+) -> Result<Limit, Failure> {
+    let common = experiment.common();
+    let of_line = rows.iter().filter(|row| row.case.line == line);
+    let known: Vec<_> = of_line.map(|row| (row.case.size, row.ratio())).collect();
+    let search = Search {
+        ceiling: experiment.ceiling(),
+        tolerance: TOLERANCE,
+    };
+    let longest_s = HOPELESS * experiment.duration_s();
+    let repeat = common.repeat.unwrap_or_else(|| experiment.repeats());
+    search.run(&known, |size| {
+        let mut runs: Vec<Run> = Vec::new();
+        while (runs.len() as u32) < repeat && !decided(&runs, repeat) {
+            // One run is better than none, several are better than one: if there is time for them.
+            if clock.left_s() < experiment.duration_s() {
+                break;
+            }
+            runs.push(alone::run(Case { line, size }, Some(longest_s))?);
+        }
+        let Some(row) = Row::new(Case { line, size }, runs) else {
+            return Ok(None);
+        };
+        let ratio = row.ratio();
+        if !common.json {
+            let name = &experiment.lines()[line];
+            let count = count(size);
+            remark(format!(
+                "limit, {name}: {count} take {ratio:.2} s a virtual second"
+            ));
+        }
+        probes.push(row);
+        Ok(Some(ratio))
+    })
+}
+
+/// Whether the runs that are still to come cannot change on which side of 1 the median is.
+fn decided(runs: &[Run], repeat: u32) -> bool {
+    let real_time = runs.iter().filter(|run| run.ratio() <= 1.0).count();
+    let most = repeat as usize / 2;
+    real_time > most || runs.len() - real_time > most
+}
+
+/// The middle one; of an even number the larger of the two in the middle.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Wall time that may be spent.
+struct Clock {
+    start: Instant,
+    whole_s: f64,
+}
+
+impl Clock {
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "measures the simulator, not the simulation"
+    )]
+    fn start(whole_s: f64) -> Self {
+        Self {
+            start: Instant::now(),
+            whole_s,
+        }
+    }
+
+    fn spent_s(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    fn left_s(&self) -> f64 {
+        self.whole_s - self.spent_s()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::workload::tests::cost;
+    use super::*;
+
+    #[test]
+    fn a_row_keeps_all_its_runs_their_least_and_their_median() {
+        let runs = [30.0, 5.0, 20.0].map(|wall_s| Run::of(cost(wall_s, "a")));
+        let case = Case { line: 0, size: 9 };
+        let row = Row::new(case, runs.to_vec()).expect("three runs");
+        assert_eq!((row.runs.len(), row.least.wall_s), (3, 5.0));
+        assert_eq!(row.ratio(), 2.0);
+        assert!(Row::new(case, Vec::new()).is_none());
+    }
+
+    #[test]
+    fn a_probe_is_decided_by_most_of_its_runs() {
+        let [fast, slow] = [5.0, 20.0].map(|wall_s| Run::of(cost(wall_s, "a")));
+        assert!(!decided(&[], 3) && !decided(std::slice::from_ref(&fast), 3));
+        assert!(decided(&[fast.clone(), fast.clone()], 3));
+        assert!(decided(&[slow.clone(), slow.clone()], 3));
+        assert!(!decided(&[fast.clone(), slow.clone()], 3));
+        assert!(decided(std::slice::from_ref(&slow), 1));
+        // Of an even number the median is the larger one: slow if half of them are.
+        assert!(!decided(&[fast.clone(), fast], 4));
+        assert_eq!(median(vec![0.5, 2.0]), 2.0);
+    }
+}
