@@ -179,7 +179,14 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
         "2",
     ];
     // No time for any probe: the limit says what the table knows.
-    let rest = ["--within", "1 ms", "-o", "figures/seven"];
+    let rest = [
+        "--within",
+        "1 ms",
+        "--clock",
+        "processor",
+        "-o",
+        "figures/seven",
+    ];
     let call = bench(&program, &[&swarms[..], &rest].concat());
     assert!(call.out.contains("\nlimit: "), "{}", call.out);
 
@@ -209,6 +216,7 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
         ("measured row 10 1", "paper limit 3074 ")
     );
     assert!(limit.starts_with("measured limit"), "{limit}");
+    assert_eq!(get(&rows[4], "clock"), "processor time");
     for row in &rows[..4] {
         let number = |name: &str| get(row, name).parse::<f64>().expect(name);
         assert!((number("ratio") - number("wall_s") / number("virtual_s")).abs() < 1e-12);
@@ -288,6 +296,10 @@ fn arguments_that_make_no_sense_are_refused_in_our_own_words() {
         ),
         (&["fig7", "--duration", "5"], "--duration"),
         (&["fig7", "--threads", "0"], "between 1 and 4096"),
+        (
+            &["fig7", "--clock", "sun"],
+            "[possible values: wall, processor]",
+        ),
         (&["fig8", "--medium", "ether"], "simple, ieee802154"),
         (&["fig8", "--no-files", "-o", "here"], "cannot be used with"),
         (&["fig8", "--alone", "1:5"], "there are 1 lines"),

@@ -4,6 +4,7 @@
 //! The program calls itself with the same arguments, and with one more that says which run is wanted; it
 //! gets the answer as JSON.
 
+use super::arguments::Clock;
 use super::workload::Cost;
 use super::{Failure, process, say};
 use serde::{Deserialize, Serialize};
@@ -27,9 +28,9 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Wall time over virtual time: at most 1 in real time.
-    pub(super) fn ratio(&self) -> f64 {
-        self.cost.wall_s / self.cost.virtual_s
+    /// Time by this clock over virtual time: at most 1 in real time.
+    pub(super) fn ratio(&self, clock: Clock) -> f64 {
+        clock.of(&self.cost) / self.cost.virtual_s
     }
 
     /// One that took so long, for tests.

@@ -1,8 +1,36 @@
 //! What the experiments can be asked.
 
 use super::super::{Failure, arguments, input};
-use clap::Args;
+use super::workload::Cost;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+
+/// What time is held against virtual time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Clock {
+    /// Wall time.
+    Wall,
+    /// Processor time of the busiest thread; where that is not known, wall time.
+    Processor,
+}
+
+impl Clock {
+    /// What a run took by this clock, s.
+    pub(super) fn of(self, cost: &Cost) -> f64 {
+        match self {
+            Self::Wall => cost.wall_s,
+            Self::Processor => cost.busiest_thread_s.unwrap_or(cost.wall_s),
+        }
+    }
+
+    /// In words.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Wall => "wall time",
+            Self::Processor => "processor time",
+        }
+    }
+}
 
 /// What every experiment can be asked.
 #[derive(Args)]
@@ -20,6 +48,10 @@ pub(super) struct Common {
     /// figure 6 7; fewer if --within is not enough]
     #[arg(long, value_parser = repeats, allow_negative_numbers = true)]
     pub(super) repeat: Option<u32>,
+    /// What the limit and the plot are of: wall time; or, on a machine that is busy with other things,
+    /// processor time of the busiest thread, which is the wall time on processors that are free
+    #[arg(long, value_enum, default_value_t = Clock::Wall)]
+    pub(super) clock: Clock,
     /// Do not search the soft real-time limit
     #[arg(long)]
     pub(super) no_limit: bool,
@@ -115,7 +147,20 @@ pub(super) fn sizes(asked: &[u32], whole: bool, quick: &[u32], full: &[u32]) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::sizes;
+    use super::super::workload::tests::cost;
+    use super::*;
+
+    #[test]
+    fn the_processors_clock_is_the_busiest_threads_or_else_the_walls() {
+        let mut run = cost(4.0, "a");
+        assert_eq!(Clock::Wall.of(&run), 4.0);
+        assert_eq!(Clock::Processor.of(&run), 4.0);
+        run.busiest_thread_s = Some(3.0);
+        assert_eq!(
+            (Clock::Processor.of(&run), Clock::Wall.of(&run)),
+            (3.0, 4.0)
+        );
+    }
 
     #[test]
     fn sizes_are_those_asked_for_or_the_experiments_own() {

@@ -1,6 +1,7 @@
 //! The plot of an experiment: wall time for the paper's 100 virtual seconds over the size, as in the paper's
 //! figures; the soft real-time limits as dashed lines, here and there.
 
+use super::arguments::Clock;
 use super::limit::{Limit, count};
 use super::machine::Machine;
 use super::measure::{Measured, Row};
@@ -26,18 +27,48 @@ pub(super) struct Figure<'a> {
     pub(super) measured: &'a Measured,
     pub(super) machine: &'a Machine,
     pub(super) duration_s: f64,
+    pub(super) clock: Clock,
 }
 
 /// Width and height, pixels.
-const SIZE: [u32; 2] = [1100, 720];
+const SIZE: [u32; 2] = [1100, 740];
 
-/// What part of the time, in the order of the key, and its colour.
-const SHARES: [(&str, fn(&Cost) -> f64, usize); 5] = [
-    ("all", |cost| cost.wall_s, 0),
-    ("events", |cost| cost.events_s, 1),
-    ("physics", |cost| cost.physics_s, 2),
-    ("radio", |cost| cost.radio_s, 5),
-    ("other", |cost| cost.other_s, 4),
+/// A part of the time.
+struct Share {
+    name: &'static str,
+    /// Of the wall time, s.
+    of: fn(&Cost) -> f64,
+    /// Its place in the palette.
+    colour: usize,
+}
+
+/// The parts, in the order of the key.
+const SHARES: [Share; 5] = [
+    Share {
+        name: "all",
+        of: |cost| cost.wall_s,
+        colour: 0,
+    },
+    Share {
+        name: "events",
+        of: |cost| cost.events_s,
+        colour: 1,
+    },
+    Share {
+        name: "physics",
+        of: |cost| cost.physics_s,
+        colour: 2,
+    },
+    Share {
+        name: "radio",
+        of: |cost| cost.radio_s,
+        colour: 5,
+    },
+    Share {
+        name: "other",
+        of: |cost| cost.other_s,
+        colour: 4,
+    },
 ];
 
 /// The colour of what the paper says.
@@ -81,7 +112,11 @@ impl Figure<'_> {
             title: self.title.to_owned(),
             caption: self.setup.clone(),
             x: Axis::log(self.x, ends(xs), zero),
-            y: Axis::log("wall time for 100 virtual seconds, s", ends(ys), false),
+            y: Axis::log(
+                format!("{} for 100 virtual seconds, s", self.clock.name()),
+                ends(ys),
+                false,
+            ),
             curves,
             rules,
             notes: self.notes(),
@@ -101,10 +136,12 @@ impl Figure<'_> {
             1
         };
         let mut curves = Vec::new();
-        for (what, of, colour) in SHARES.iter().take(shares) {
-            let per = |cost: &Cost| of(cost) * paper::DURATION_S / cost.virtual_s;
+        for Share { name, of, colour } in SHARES.iter().take(shares) {
+            // By another clock, each part has its share.
+            let share = |cost: &Cost| self.clock.of(cost) / cost.wall_s;
+            let per = |cost: &Cost| of(cost) * share(cost) * paper::DURATION_S / cost.virtual_s;
             // What takes no time at all has no place on a logarithmic axis.
-            let rows = rows.iter().filter(|row| per(&row.least) > 1e-6);
+            let rows = rows.iter().filter(|row| per(&row.runs[0].cost) > 1e-6);
             let (points, spread): (Vec<_>, Vec<_>) = rows
                 .map(|row| {
                     let all = || row.runs.iter().map(|run| per(&run.cost));
@@ -116,11 +153,11 @@ impl Figure<'_> {
             if points.is_empty() {
                 continue;
             }
-            let whole = *what == "all";
+            let whole = *name == "all";
             curves.push(Curve {
                 name: match self.lines.len() {
-                    1 => (*what).to_owned(),
-                    _ => format!("{what}, {}", self.lines[line]),
+                    1 => (*name).to_owned(),
+                    _ => format!("{name}, {}", self.lines[line]),
                 },
                 ink: match line {
                     0 => series(*colour),
@@ -128,7 +165,7 @@ impl Figure<'_> {
                 },
                 marker: MARKERS[line % MARKERS.len()],
                 points,
-                spread,
+                spread: if whole { spread } else { Vec::new() },
                 line: Some(if whole { 2.6 } else { 1.6 }),
             });
         }
@@ -184,14 +221,26 @@ impl Figure<'_> {
             ),
         };
         notes.push(format!(
-            "Points: least of {runs} runs; bands and bars: all of them.{scaled}"
+            "{}{}{scaled}",
+            match runs {
+                1 => "One run for each point.".to_owned(),
+                n => format!("Points: least of {n} runs; band: all of them."),
+            },
+            match self.clock {
+                Clock::Wall => "",
+                Clock::Processor => " Processor time is that of the busiest thread.",
+            }
         ));
         notes.push(format!("Here: {}.", self.machine.line()));
         notes.push(format!(
-            "Paper (2012): {}; {}. Its curves are not in its text, so they are not drawn.",
-            self.paper.says,
-            paper::CPU
+            "Paper (2012), {}: {}.",
+            paper::CPU,
+            self.paper.says
         ));
+        notes.push(
+            "The paper's curves are in its pictures only, not in numbers: they are not drawn."
+                .to_owned(),
+        );
         notes
     }
 }

@@ -15,6 +15,7 @@
 //! | `start`, `phase`, `contacts`, `medium`, `reach` | | how the experiment was set up; empty: does not apply |
 //! | `virtual_s`, `wall_s`, `cpu_s`, `busiest_thread_s` | s | virtual, wall and processor time; the processor time of the busiest thread |
 //! | `ratio` | 1 | wall over virtual time: at most 1 in real time |
+//! | `clock` | | what a limit is of: `wall time`, or `processor time` of the busiest thread |
 //! | `events_s`, `physics_s`, `radio_s`, `other_s` | s | where the wall time went |
 //! | `events`, `touches`, `sent`, `received` | 1 | events, contacts that began, packets sent and received |
 //! | `memory_bytes` | B | growth of the process's greatest memory by this run |
@@ -26,6 +27,7 @@
 //! real time was cut off: its `virtual_s` is what it had reached.
 
 use super::alone::{Case, Run};
+use super::arguments::Clock;
 use super::limit::Limit;
 use super::machine::Machine;
 use super::measure::Measured;
@@ -59,6 +61,7 @@ struct Entry {
     kind: &'static str,
     facts: Facts,
     bracket: [Option<u32>; 2],
+    clock: &'static str,
     repeat: usize,
     run: Option<Run>,
     /// Virtual and wall time, where there is no run that says them, s.
@@ -76,6 +79,7 @@ pub(super) struct Files<'a> {
     pub(super) facts: &'a dyn Fn(Case) -> Facts,
     /// What is searched: sets the number in the facts of a limit.
     pub(super) searched: fn(&mut Facts, Option<u32>),
+    pub(super) clock: Clock,
 }
 
 impl Files<'_> {
@@ -110,6 +114,7 @@ impl Files<'_> {
             entries.push(Entry {
                 facts,
                 bracket: [low, high],
+                clock: self.clock.name(),
                 machine: Some(self.machine.clone()),
                 note: limit.text.clone(),
                 ..entry("measured", "limit")
@@ -211,6 +216,7 @@ fn columns(entries: &[Entry]) -> Vec<Column> {
         run("cpu_s", |run| run.cost.cpu_s),
         run("busiest_thread_s", |run| run.cost.busiest_thread_s),
         Column::floats("ratio", ratios),
+        text("clock", |e| e.clock),
         run("events_s", |run| Some(run.cost.events_s)),
         run("physics_s", |run| Some(run.cost.physics_s)),
         run("radio_s", |run| Some(run.cost.radio_s)),

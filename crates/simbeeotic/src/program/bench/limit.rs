@@ -361,7 +361,7 @@ mod tests {
 
     #[test]
     fn an_error_of_a_probe_ends_the_search() {
-        let failed = SEARCH.run(&[], |n| Err::<Option<f64>, _>(n));
+        let failed = SEARCH.run(&[], Err::<Option<f64>, _>);
         assert_eq!(failed.err(), Some(1));
     }
 }

@@ -1,7 +1,7 @@
 //! An experiment is measured: its rows round by round, then the limit of each of its curves.
 
 use super::alone::{self, Case, Order, Run};
-use super::arguments::Common;
+use super::arguments::{Clock, Common};
 use super::limit::{Limit, Search, count};
 use super::workload::Cost;
 use super::{Failure, remark, table};
@@ -43,9 +43,9 @@ impl Row {
         Some(Self { case, runs, least })
     }
 
-    /// Median of wall time over virtual time.
-    pub(super) fn ratio(&self) -> f64 {
-        median(self.runs.iter().map(Run::ratio).collect())
+    /// Median of time by this clock over virtual time.
+    pub(super) fn ratio(&self, clock: Clock) -> f64 {
+        median(self.runs.iter().map(|run| run.ratio(clock)).collect())
     }
 }
 
@@ -62,8 +62,14 @@ pub(super) struct Measured {
 /// The bracket of a limit is narrow enough at 5 %.
 const TOLERANCE: f64 = 0.05;
 
-/// A probe that takes so many times its virtual time has failed, and need not go on.
-const HOPELESS: f64 = 1.25;
+/// A probe that takes so many times its virtual time of wall time need not go on: it has failed, or, by the
+/// processor's clock, has shown enough.
+fn hopeless(clock: Clock) -> f64 {
+    match clock {
+        Clock::Wall => 1.25,
+        Clock::Processor => 4.0,
+    }
+}
 
 /// Measures; or, if this is a process for one run, makes that: then there is nothing more to do.
 pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, Failure> {
@@ -82,14 +88,14 @@ pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, 
         )?;
         return Ok(None);
     }
-    let clock = Clock::start(common.within_s()?);
-    let rows = rows(experiment, &clock)?;
+    let budget = Budget::start(common.within_s()?);
+    let rows = rows(experiment, &budget)?;
     let (mut probes, mut limits) = (Vec::new(), Vec::new());
     let lines = experiment.lines().len();
     for line in (0..lines).filter(|_| !common.no_limit) {
         // What the first curves leave is for the others.
-        let part = clock.left_s() / (lines - line) as f64;
-        let limit = limit(experiment, line, &rows, &Clock::start(part), &mut probes)?;
+        let part = budget.left_s() / (lines - line) as f64;
+        let limit = limit(experiment, line, &rows, &Budget::start(part), &mut probes)?;
         limits.push(limit);
     }
     Ok(Some(Measured {
@@ -99,7 +105,7 @@ pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, 
     }))
 }
 
-fn rows(experiment: &impl Experiment, clock: &Clock) -> Result<Vec<Row>, Failure> {
+fn rows(experiment: &impl Experiment, budget: &Budget) -> Result<Vec<Row>, Failure> {
     let mut cases = Vec::new();
     for &size in experiment.sizes() {
         cases.extend((0..experiment.lines().len()).map(|line| Case { line, size }));
@@ -109,8 +115,8 @@ fn rows(experiment: &impl Experiment, clock: &Clock) -> Result<Vec<Row>, Failure
     // Half of the time is the limit's; what is asked for is done whatever it takes.
     let share = if common.no_limit { 1.0 } else { 0.5 };
     let again = |done: u32| {
-        let next_s = clock.spent_s() / f64::from(done);
-        common.repeat.is_some() || clock.spent_s() + next_s <= share * clock.whole_s
+        let next_s = budget.spent_s() / f64::from(done);
+        common.repeat.is_some() || budget.spent_s() + next_s <= share * budget.whole_s
     };
     let runs = table::rounds(cases.len(), repeat, again, |case| {
         alone::run(cases[case], None)
@@ -125,23 +131,25 @@ fn limit(
     experiment: &impl Experiment,
     line: usize,
     rows: &[Row],
-    clock: &Clock,
+    budget: &Budget,
     probes: &mut Vec<Row>,
 ) -> Result<Limit, Failure> {
     let common = experiment.common();
     let of_line = rows.iter().filter(|row| row.case.line == line);
-    let known: Vec<_> = of_line.map(|row| (row.case.size, row.ratio())).collect();
+    let known: Vec<_> = of_line
+        .map(|row| (row.case.size, row.ratio(common.clock)))
+        .collect();
     let search = Search {
         ceiling: experiment.ceiling(),
         tolerance: TOLERANCE,
     };
-    let longest_s = HOPELESS * experiment.duration_s();
+    let longest_s = hopeless(common.clock) * experiment.duration_s();
     let repeat = common.repeat.unwrap_or_else(|| experiment.repeats());
     search.run(&known, |size| {
         let mut runs: Vec<Run> = Vec::new();
-        while (runs.len() as u32) < repeat && !decided(&runs, repeat) {
+        while (runs.len() as u32) < repeat && !decided(&runs, repeat, common.clock) {
             // One run is better than none, several are better than one: if there is time for them.
-            if clock.left_s() < experiment.duration_s() {
+            if budget.left_s() < experiment.duration_s() {
                 break;
             }
             runs.push(alone::run(Case { line, size }, Some(longest_s))?);
@@ -149,7 +157,7 @@ fn limit(
         let Some(row) = Row::new(Case { line, size }, runs) else {
             return Ok(None);
         };
-        let ratio = row.ratio();
+        let ratio = row.ratio(common.clock);
         if !common.json {
             let name = &experiment.lines()[line];
             let count = count(size);
@@ -163,8 +171,8 @@ fn limit(
 }
 
 /// Whether the runs that are still to come cannot change on which side of 1 the median is.
-fn decided(runs: &[Run], repeat: u32) -> bool {
-    let real_time = runs.iter().filter(|run| run.ratio() <= 1.0).count();
+fn decided(runs: &[Run], repeat: u32, clock: Clock) -> bool {
+    let real_time = runs.iter().filter(|run| run.ratio(clock) <= 1.0).count();
     let most = repeat as usize / 2;
     real_time > most || runs.len() - real_time > most
 }
@@ -176,12 +184,12 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// Wall time that may be spent.
-struct Clock {
+struct Budget {
     start: Instant,
     whole_s: f64,
 }
 
-impl Clock {
+impl Budget {
     #[expect(
         clippy::disallowed_methods,
         reason = "measures the simulator, not the simulation"
@@ -213,13 +221,14 @@ mod tests {
         let case = Case { line: 0, size: 9 };
         let row = Row::new(case, runs.to_vec()).expect("three runs");
         assert_eq!((row.runs.len(), row.least.wall_s), (3, 5.0));
-        assert_eq!(row.ratio(), 2.0);
+        assert_eq!(row.ratio(Clock::Wall), 2.0);
         assert!(Row::new(case, Vec::new()).is_none());
     }
 
     #[test]
     fn a_probe_is_decided_by_most_of_its_runs() {
         let [fast, slow] = [5.0, 20.0].map(|wall_s| Run::of(cost(wall_s, "a")));
+        let decided = |runs: &[Run], repeat| decided(runs, repeat, Clock::Wall);
         assert!(!decided(&[], 3) && !decided(std::slice::from_ref(&fast), 3));
         assert!(decided(&[fast.clone(), fast.clone()], 3));
         assert!(decided(&[slow.clone(), slow.clone()], 3));

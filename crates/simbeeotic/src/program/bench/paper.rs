@@ -24,7 +24,7 @@ pub(super) const VERSION: &str = "Simbeeotic (Java), HotSpot 1.6.0_26";
 
 pub(super) const FIG6: Paper = Paper {
     limit: None,
-    says: "event time constant, physics time linear in the obstacles; no numbers in the text",
+    says: "event time constant, physics time linear in the obstacles; no numbers",
 };
 
 pub(super) const FIG7: Paper = Paper {

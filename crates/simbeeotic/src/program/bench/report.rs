@@ -46,7 +46,7 @@ struct Told<'a, R> {
     #[serde(flatten)]
     row: &'a R,
     repeats: usize,
-    /// Median of wall time over virtual time.
+    /// Median of time over virtual time, by the clock that was asked for.
     ratio: f64,
     wall_s_of_runs: Vec<f64>,
 }
@@ -90,7 +90,7 @@ impl Report<'_> {
         let told = |(row, of): (_, &Row)| Told {
             row,
             repeats: of.runs.len(),
-            ratio: of.ratio(),
+            ratio: of.ratio(common.clock),
             wall_s_of_runs: of.runs.iter().map(|run| run.cost.wall_s).collect(),
         };
         let limits = measured.limits.iter().zip(&lines);
@@ -124,6 +124,7 @@ impl Report<'_> {
             measured,
             machine,
             duration_s: experiment.duration_s(),
+            clock: experiment.common().clock,
         };
         let files = Files {
             figure: self.name,
@@ -132,6 +133,7 @@ impl Report<'_> {
             machine,
             facts: self.facts,
             searched: self.searched,
+            clock: experiment.common().clock,
         };
         files.write(&folder(experiment.common(), self.name), &figure.draw())
     }

@@ -159,7 +159,8 @@ mod tests {
     fn runs_that_differ_are_an_error() {
         let mut hashes = ["a", "b", "a", "c"].into_iter();
         let run = |_| Ok(Run::of(cost(1.0, hashes.next().expect("a run"))));
-        let failure = rounds(2, 2, |_| true, run).err().expect("b is not c");
+        let failure = rounds(2, 2, |_| true, run).err();
+        let failure = failure.expect("b is not c");
         assert!(failure.message.contains("b and c"), "{}", failure.message);
     }
 
