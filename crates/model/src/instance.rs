@@ -1,5 +1,6 @@
 //! One instance of a model while it is put together.
 
+use crate::about::PlannedPart;
 use crate::behavior::BuildError;
 use crate::energy::{Onboard, Supply};
 use crate::registry::{SensorFactory, SensorKit, VehicleFactory};
@@ -24,6 +25,8 @@ pub struct GearPlan {
     pub radios: Vec<RadioPlan>,
     /// What it all runs on; `None`: nothing runs out.
     pub supply: Option<Arc<Supply>>,
+    /// What the model and its gear are made of, for those who ask what it is.
+    pub parts: Vec<PlannedPart>,
 }
 
 /// One sensor of a [`GearPlan`].

@@ -54,7 +54,7 @@ pub mod vehicle;
 pub mod view;
 mod watch;
 
-pub use about::{About, AboutPart, AboutRadio, AboutSensor, Beams};
+pub use about::{About, AboutPart, AboutRadio, AboutSensor, Beams, PlannedPart};
 pub use air::{Air, Aside, Fidelity, MadeAir, NoiseFloor};
 pub use around::{Echo, Nearby};
 pub use behavior::{Behavior, BuildError, Handler, Kit, RadioHandle, SentHandler};

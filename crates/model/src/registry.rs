@@ -6,6 +6,7 @@
 //! A crate that is only listed in `Cargo.toml` registers nothing until the program refers to it
 //! (`use my_parts as _;`).
 
+use crate::about::Beams;
 use crate::air::{AirMaker, Fidelity, MadeAir};
 use crate::behavior::{Behavior, BuildError};
 use crate::component::Component;
@@ -111,6 +112,8 @@ pub struct Part {
     pub schema: fn() -> Schema,
     /// Its parameters with their defaults, as they would be written.
     pub defaults: fn() -> Node,
+    /// All its parameters, as a section gives them and else by default; `None` if the section has faults.
+    pub complete: fn(&Node) -> Option<Node>,
     /// Makes it from a section of a scenario.
     pub make: Make,
 }
@@ -208,6 +211,9 @@ pub trait SensorFactory: Send + Sync {
     /// The type of their readings, and its name.
     fn reading(&self) -> (TypeId, &'static str);
 
+    /// What one of them looks along, see [`Sensor::beams`].
+    fn beams(&self) -> Option<Beams>;
+
     /// Makes one.
     ///
     /// # Errors
@@ -288,6 +294,7 @@ impl Part {
             kind,
             schema: schema::<P>,
             defaults: defaults::<P>,
+            complete: complete::<P>,
             make,
         }
     }
@@ -378,6 +385,11 @@ fn schema<P: Params>() -> Schema {
 
 fn defaults<P: Params>() -> Node {
     crate::config::to_node(&P::default())
+}
+
+/// All parameters of a section, those that it leaves out by default.
+pub(crate) fn complete<P: Params>(section: &Node) -> Option<Node> {
+    Some(crate::config::to_node(&read_params::<P>(section).ok()?))
 }
 
 /// A part's checked parameters, and the section they came from.
@@ -489,6 +501,10 @@ impl<S: Sensor> SensorFactory for MakeSensor<S> {
             TypeId::of::<S::Reading>(),
             std::any::type_name::<S::Reading>(),
         )
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        S::build(self.0.params.clone()).ok()?.beams()
     }
 
     fn build(&self, kit: &SensorKit<'_>) -> Result<Box<dyn AnySensor>, BuildError> {

@@ -10,6 +10,7 @@
 //! rate = "50 Hz"                kit.on_sample("compass", Self::turned)?
 //! ```
 
+use crate::about::Beams;
 use crate::behavior::BuildError;
 use crate::config::Params;
 use crate::image::Image;
@@ -77,6 +78,12 @@ pub trait Sensor: Sized + Send + 'static {
     /// What must be on board besides itself.
     fn needs(&self) -> Needs {
         Needs::Nothing
+    }
+
+    /// Where it looks, for those who draw it; `None` if it looks nowhere. Asked of one that has just been
+    /// built: it hangs on the parameters alone.
+    fn beams(&self) -> Option<Beams> {
+        None
     }
 }
 

@@ -26,7 +26,7 @@ use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length, RainRate, math};
 use simbeeotic_model::world::weather::rain;
-use simbeeotic_model::{BuildError, Echo, SeesWhat, Truth, choice};
+use simbeeotic_model::{Beams, BuildError, Echo, SeesWhat, Truth, choice};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Most rays of one reading.
@@ -207,6 +207,7 @@ pub(super) struct Beam {
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
     directions: Box<[DVec3]>,
+    half_angle: Angle,
     /// Rays of one beam.
     rays: usize,
     echo: WhichEcho,
@@ -243,6 +244,7 @@ impl Bundle {
         });
         Ok(Self {
             directions: directions.collect(),
+            half_angle: beam.field_of_view / 2.0,
             rays,
             echo: beam.echo,
             // A cosine of pi / 2 is not quite zero.
@@ -253,6 +255,11 @@ impl Bundle {
             },
             sees: beam.sees,
         })
+    }
+
+    /// The beam of a sensor that has one.
+    pub(super) fn beams(&self, ranger: &Ranger) -> Option<Beams> {
+        Some(Beams::cone(self.half_angle, ranger.max_range()))
     }
 
     /// What each of the beams meets within `range`, m; NaN where there is nothing.

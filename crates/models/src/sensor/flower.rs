@@ -8,7 +8,7 @@ use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Angle, Length, Offset, math};
 use simbeeotic_model::world::{ObjectId, ObjectKind};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Thing, Truth, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Thing, Truth, params, sensor};
 use std::f64::consts::TAU;
 
 /// Sees the flowers in a cone about its forward axis: where the head of each is, the nearest first. What
@@ -116,6 +116,10 @@ impl Sensor for FlowerDetector {
             return all.measure(ideal, rng);
         }
         self.detector.measure(ideal, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.detector.beams())
     }
 }
 

@@ -13,7 +13,7 @@ use super::echo::{Ranger, Ranging, TooNear};
 use super::scan::{FULL_TURN, Scan, ScanGrid, Scanner};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Current, Length};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
 
 /// A laser scanner: measures the distances in its own horizontal plane, from `start` to `end` in azimuth.
 /// The reading is a [`Scan`] of one row.
@@ -190,6 +190,10 @@ impl Sensor for Lidar {
 
     fn current(&self) -> Current {
         self.current
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.scanner.beams())
     }
 }
 

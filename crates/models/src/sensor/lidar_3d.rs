@@ -11,7 +11,7 @@ use super::echo::{Ranger, Ranging, TooNear};
 use super::scan::{FULL_TURN, Scan, ScanGrid, Scanner};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Current, Length};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
 
 /// A laser scanner of several rows: `rows` of rays by elevation, `rays` in each by azimuth. The reading is a
 /// [`Scan`], with its points in the sensor's frame.
@@ -189,6 +189,10 @@ impl Sensor for Lidar3d {
 
     fn current(&self) -> Current {
         self.current
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.scanner.beams())
     }
 }
 

@@ -8,7 +8,9 @@ use super::vl53l1x::{Ambient, CURRENT, DistanceMode, Vl53l1xParams};
 use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Current, Length, Time};
-use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{
+    Beams, BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor,
+};
 
 /// The distances that a [`MultiRanger`] reads. `None` is nothing in range.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -152,6 +154,14 @@ impl Sensor for MultiRanger {
 
     fn current(&self) -> Current {
         CURRENT * self.rangers.len() as f64
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        let axes = AXES.iter().take(self.rangers.len());
+        Some(Beams::Rays {
+            directions: axes.map(DVec3::to_array).collect(),
+            range_m: self.rangers[0].max_range().get(),
+        })
     }
 }
 

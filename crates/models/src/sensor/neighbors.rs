@@ -6,7 +6,9 @@ use simbeeotic_model::kernel::{ModelId, Stream};
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::glam::DVec3;
 use simbeeotic_model::units::{Angle, Flu, Length, Offset, Speed, Velocity, math};
-use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{
+    Beams, BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor,
+};
 
 /// Measures where other vehicles are, seen from its own place: bearing, elevation and distance, the nearest
 /// first.
@@ -186,6 +188,11 @@ impl Sensor for Neighbors {
             }
         }
         ideal
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        let p = &self.params;
+        Some(Beams::window(p.width, p.height, p.max_range))
     }
 }
 

@@ -8,7 +8,9 @@ use simbeeotic_model::units::glam::DVec3;
 use simbeeotic_model::units::{
     Angle, AngularRate, Attitude, Enu, Flu, Length, Pose, Rate, V3, Velocity,
 };
-use simbeeotic_model::{BuildError, Ray, Seen, SeesWhat, Sensor, Thing, Truth, params, sensor};
+use simbeeotic_model::{
+    Beams, BuildError, Ray, Seen, SeesWhat, Sensor, Thing, Truth, params, sensor,
+};
 
 /// The depth and relative velocity of what the sensor sees along one ray of its picture.
 #[derive(Clone, Copy, Debug)]
@@ -104,6 +106,20 @@ impl Grid {
         })
     }
 
+    /// The rays of its grid; of a fine one only some.
+    fn beams(&self) -> Beams {
+        let direction = |[x, y]: &[f64; 2]| {
+            let ahead = DVec3::new(1.0, -x, -y).normalize();
+            (self.camera.quat() * ahead).to_array()
+        };
+        let step = self.places.len().div_ceil(Beams::RAYS_MAX);
+        let places = self.places.iter().step_by(step);
+        Beams::Rays {
+            directions: places.map(direction).collect(),
+            range_m: self.ranges.1.get(),
+        }
+    }
+
     fn ideal(&self, truth: &Truth<'_>) -> OpticalFlow {
         let mounted = truth.sensor_pose();
         let pose = Pose::new(mounted.position, mounted.attitude * self.camera);
@@ -192,6 +208,10 @@ impl Sensor for OpticalFlowSensor {
 
     fn measure(&mut self, ideal: OpticalFlow, _: &Truth<'_>, rng: &mut Stream) -> OpticalFlow {
         self.0.measure(ideal, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.0.beams())
     }
 }
 
@@ -285,6 +305,10 @@ impl Sensor for OpticalFlowDown {
 
     fn measure(&mut self, ideal: OpticalFlow, _: &Truth<'_>, rng: &mut Stream) -> OpticalFlow {
         self.0.measure(ideal, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.0.beams())
     }
 }
 

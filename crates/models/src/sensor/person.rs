@@ -5,7 +5,7 @@ use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Angle, Length, Offset};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, params, sensor};
 
 /// Finds the people in a cone about its forward axis, the nearest first.
 ///
@@ -97,6 +97,10 @@ impl Sensor for PersonDetector {
         rng: &mut Stream,
     ) -> Vec<Sighting> {
         self.detector.measure(ideal, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.detector.beams())
     }
 }
 

@@ -5,7 +5,9 @@ use super::flow::flow;
 use super::optical_flow::look;
 use simbeeotic_model::kernel::{SimTime, Stream};
 use simbeeotic_model::units::{AngularRate, Illuminance, Length, Time};
-use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{
+    Beams, BuildError, Column, Reading, SeesWhat, Sensor, Truth, params, sensor,
+};
 
 /// Counts by how much the picture ahead has moved since it was last read, as a PixArt PMW3901 does.
 ///
@@ -184,6 +186,10 @@ impl Sensor for Pmw3901 {
         }
         let [x, y] = counts;
         FlowCount { x, y, ..ideal }
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(Beams::ahead(self.params.max_range))
     }
 }
 

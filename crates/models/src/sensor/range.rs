@@ -4,7 +4,7 @@ use super::echo::{Beam, Bundle, Ranger, Ranging, TooNear, WhichEcho, some};
 use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, params, sensor};
 
 /// Measures how far the next thing is along its forward axis, or the nearest thing in a cone about it.
 /// What is beyond its range is no reading: `None`, never a number.
@@ -116,6 +116,10 @@ impl Sensor for RangeFinder {
         rng: &mut Stream,
     ) -> Option<Length> {
         self.ranger.read(ideal, truth, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        self.bundle.beams(&self.ranger)
     }
 }
 

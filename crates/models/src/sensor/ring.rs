@@ -4,7 +4,7 @@ use super::echo::{Ranger, Ranging, TooNear};
 use super::scan::{FULL_TURN, Scan, ScanGrid, Scanner};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, params, sensor};
 
 /// Measures the distances all around in its own horizontal plane: `rays` rays at even angles, the first
 /// along the forward axis, on counter-clockwise. The reading is a [`Scan`] of one row.
@@ -80,6 +80,10 @@ impl Sensor for Ring {
 
     fn measure(&mut self, ideal: Scan, truth: &Truth<'_>, rng: &mut Stream) -> Scan {
         self.scanner.measure(ideal, truth, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(self.scanner.beams())
     }
 }
 

@@ -3,7 +3,7 @@
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Length, Offset, math};
-use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Truth};
+use simbeeotic_model::{Beams, BuildError, Column, Reading, SeesWhat, Truth};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
@@ -197,6 +197,27 @@ pub(super) struct Scanner {
 }
 
 impl Scanner {
+    /// Where it looks: single rays, or what they fill if they are many.
+    pub(super) fn beams(&self) -> Beams {
+        let range = self.ranger.max_range();
+        if self.grid.len() <= Beams::RAYS_MAX {
+            return Beams::Rays {
+                directions: self.grid.directions().map(|d| d.to_array()).collect(),
+                range_m: range.get(),
+            };
+        }
+        // A picture is about the line of sight: as wide as the ray that is farthest from it.
+        let widest = |spokes: &[Spoke]| {
+            let angles = spokes.iter().map(|spoke| spoke.angle.abs());
+            angles.fold(Angle::ZERO, Angle::max) * 2.0
+        };
+        Beams::window(
+            widest(&self.grid.azimuths),
+            widest(&self.grid.elevations),
+            range,
+        )
+    }
+
     /// The true distances. Apart from the reading nothing is allocated.
     pub(super) fn ideal(&self, truth: &Truth<'_>) -> Scan {
         let mut distances_m = vec![f64::NAN; self.grid.len()].into_boxed_slice();

@@ -17,7 +17,7 @@ use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::{Angle, Length, Offset, math};
-use simbeeotic_model::{BuildError, Column, Reading, SeesWhat, Thing, Truth};
+use simbeeotic_model::{Beams, BuildError, Column, Reading, SeesWhat, Thing, Truth};
 use std::f64::consts::{FRAC_PI_8, PI, TAU};
 
 /// Farther than any detector looks, m.
@@ -120,6 +120,11 @@ impl Detector {
         in_range("detection", self.detection, 0.0..=1.0)?;
         in_range("false_alarms", self.false_alarms, 0.0..=ALARMS_MAX)?;
         Ok(self)
+    }
+
+    /// Its cone.
+    pub(super) fn beams(&self) -> Beams {
+        Beams::cone(self.half_angle, self.max_range)
     }
 
     fn holds(&self, at: DVec3) -> bool {

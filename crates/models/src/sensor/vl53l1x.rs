@@ -21,7 +21,7 @@ use glam::DVec3;
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Current, Length, Time};
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, choice, params, sensor};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 /// An ST VL53L1X: the nearest thing within its cone of 27 degrees, up to 4 m away. `None` is nothing in
@@ -163,6 +163,10 @@ impl Sensor for Vl53l1x {
 
     fn current(&self) -> Current {
         CURRENT
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        self.bundle.beams(&self.ranger)
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::physics::Kind;
 use simbeeotic_model::units::Length;
-use simbeeotic_model::{BuildError, SeesWhat, Sensor, Truth, params, sensor};
+use simbeeotic_model::{Beams, BuildError, SeesWhat, Sensor, Truth, params, sensor};
 
 /// Tells whether a wall is ahead, and how far it is: `None` if there is none within `max_range` along its
 /// forward axis.
@@ -79,6 +79,10 @@ impl Sensor for WallDetector {
         rng: &mut Stream,
     ) -> Option<Length> {
         self.ranger.read(ideal, truth, rng)
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        Some(Beams::ahead(self.ranger.max_range()))
     }
 }
 

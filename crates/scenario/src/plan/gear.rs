@@ -8,11 +8,14 @@ use simbeeotic_model::config::{Fault, Node, Table, Value};
 use simbeeotic_model::instance::{GearPlan, RadioPlan, SensorPlan};
 use simbeeotic_model::radio::{Antenna, Isotropic};
 use simbeeotic_model::registry::{Kind, Make, Site};
-use simbeeotic_model::{BuildError, SamplePhase, Sampling, Supply};
+use simbeeotic_model::{BuildError, PlannedPart, SamplePhase, Sampling, Supply};
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Angle, Attitude, Current, Frequency, Mount, Offset, Time, Yaw, math};
 use std::path::Path;
 use std::sync::Arc;
+
+/// Keys of every sensor, besides its part's own.
+const SENSOR_KEYS: [&str; 6] = ["rate", "phase", "delay", "dropout", "current", "on_time"];
 
 /// What a radio is called that stands alone.
 const RADIO: &str = "radio";
@@ -21,9 +24,10 @@ const RADIO: &str = "radio";
 pub(super) fn gear(section: &mut Section<'_>, cx: &mut Context<'_>) -> GearPlan {
     let (faults, folder) = (&mut cx.faults, cx.folder.as_path());
     let mut gear = GearPlan::default();
+    let (mut parts, mut radios) = (Vec::new(), Vec::new());
     if let Some(node) = section.get("sensor") {
         for (name, node) in named_tables(node, "sensor", Kind::Sensor, faults) {
-            gear.sensors.extend(sensor(name, node, faults));
+            gear.sensors.extend(sensor(name, node, &mut parts, faults));
         }
     }
     if let Some(node) = section.get("radio") {
@@ -33,27 +37,37 @@ pub(super) fn gear(section: &mut Section<'_>, cx: &mut Context<'_>) -> GearPlan 
         if node.as_str().is_some() {
             // The name of its part alone.
             let node = &keyed("use", node);
-            gear.radios.extend(radio(RADIO, node, folder, faults));
+            gear.radios
+                .extend(radio(RADIO, node, folder, &mut radios, faults));
         } else if single {
-            gear.radios.extend(radio(RADIO, node, folder, faults));
+            gear.radios
+                .extend(radio(RADIO, node, folder, &mut radios, faults));
         } else {
             for (name, node) in named_tables(node, "radio", Kind::Radio, faults) {
-                gear.radios.extend(radio(name, node, folder, faults));
+                gear.radios
+                    .extend(radio(name, node, folder, &mut radios, faults));
             }
         }
     }
     if let Some(node) = section.get("battery") {
-        gear.supply = supply(node, faults);
+        gear.supply = supply(node, &mut gear.parts, faults);
     }
+    gear.parts.append(&mut radios);
+    gear.parts.append(&mut parts);
     gear
 }
 
 /// `[model.battery]`; a text in its place is the preset.
-fn supply(node: &Node, faults: &mut Vec<Fault>) -> Option<Arc<Supply>> {
+fn supply(
+    node: &Node,
+    parts: &mut Vec<PlannedPart>,
+    faults: &mut Vec<Fault>,
+) -> Option<Arc<Supply>> {
     let table = match node.as_str() {
         Some(_) => keyed("preset", node),
         None => node.clone(),
     };
+    parts.push(PlannedPart::battery(&table));
     let supply = Supply::read(&table).map_err(|found| faults.extend(found));
     supply.ok().map(Arc::new)
 }
@@ -120,7 +134,12 @@ pub(super) fn good_name(name: &str) -> bool {
         && name.len() <= 200
 }
 
-fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan> {
+fn sensor(
+    name: &str,
+    node: &Node,
+    parts: &mut Vec<PlannedPart>,
+    faults: &mut Vec<Fault>,
+) -> Option<SensorPlan> {
     let mut section = Section::open(node, "a sensor", faults)?;
     let part = part(&mut section, Kind::Sensor, faults);
     let mount = mount(&mut section, faults);
@@ -134,10 +153,12 @@ fn sensor(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Option<SensorPlan
     }
     let on_time = on_time(&mut section, faults);
     let part = part?;
+    let around = section.entries(&SENSOR_KEYS);
     let params = section.rest(part, faults);
     let Make::Sensor(make) = part.make else {
         return None;
     };
+    parts.push(PlannedPart::new(format!("sensor.{name}"), part, &params).with(around));
     let factory = make(&params).map_err(|found| faults.extend(found)).ok()?;
     Some(SensorPlan {
         name: name.to_owned(),
@@ -204,20 +225,42 @@ fn sampling(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<Sampli
     }
 }
 
-fn radio(name: &str, node: &Node, folder: &Path, faults: &mut Vec<Fault>) -> Option<RadioPlan> {
+fn radio(
+    name: &str,
+    node: &Node,
+    folder: &Path,
+    parts: &mut Vec<PlannedPart>,
+    faults: &mut Vec<Fault>,
+) -> Option<RadioPlan> {
     let mut section = Section::open(node, "a radio", faults)?;
     let part = part(&mut section, Kind::Radio, faults);
     let mount = mount(&mut section, faults);
+    let place = match name {
+        RADIO => RADIO.to_owned(),
+        name => format!("{RADIO}.{name}"),
+    };
+    let mut chosen = None;
     let antenna = match section.get("antenna") {
-        Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| antenna(&c, folder, faults)),
+        Some(node) => choice(node, Kind::Antenna, faults).and_then(|c| {
+            let antenna = antenna(&c, folder, faults);
+            chosen = Some(PlannedPart::new(
+                format!("{place}.antenna"),
+                c.part,
+                &c.params,
+            ));
+            antenna
+        }),
         None => Some(Arc::new(Isotropic::default()) as Arc<dyn Antenna>),
     };
     let queue_frames = queue_frames(&mut section, faults);
     let part = part?;
+    let around = section.entries(&["queue_frames"]);
     let params = section.rest(part, faults);
     let Make::Radio(make) = part.make else {
         return None;
     };
+    parts.push(PlannedPart::new(place, part, &params).with(around));
+    parts.extend(chosen);
     let mut spec = make(&params).map_err(|found| faults.extend(found)).ok()?;
     if let Some(frames) = queue_frames {
         spec.queue_frames = frames;

@@ -6,10 +6,10 @@ use super::shared::{choice, empty};
 use super::start::Start;
 use super::{Choice, Context, default_vehicle, part};
 use crate::limit::{MODEL_BYTES, MODELS_MANY, MODELS_MAX};
-use simbeeotic_model::ModelPlan;
 use simbeeotic_model::config::{Fault, Node, Sources, Span, Value};
 use simbeeotic_model::instance::GearPlan;
 use simbeeotic_model::registry::{Kind, Make, ModelFactory, Part, VehicleFactory};
+use simbeeotic_model::{ModelPlan, PlannedPart};
 use simbeeotic_units::Pose;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -69,18 +69,25 @@ fn group(node: &Node, cx: &mut Context<'_>) -> Option<Group> {
         let choice = vehicle_choice(node, &mut cx.faults);
         (
             key.span,
-            choice.and_then(|c| vehicle_factory(&c, &mut cx.faults)),
+            choice.and_then(|c| vehicle_factory(c, &mut cx.faults)),
         )
     });
-    let gear = gear(&mut section, cx);
+    let mut gear = gear(&mut section, cx);
     let nested = section
         .get("model")
         .map(|node| groups(node, cx))
         .unwrap_or_default();
     section.finish(&mut cx.faults);
     let (part, factory) = (part?, factory?);
-    let vehicle = flying(part, factory.as_ref(), vehicle, use_span, &mut cx.faults);
+    let vehicle = flying(part, factory.as_ref(), vehicle, use_span, &mut cx.faults)?;
     let (count, numbered) = count?;
+    let mut parts = vec![PlannedPart::new("model", part, &params)];
+    let vehicle = vehicle.map(|(choice, factory)| {
+        parts.push(PlannedPart::new("vehicle", choice.part, &choice.params));
+        factory
+    });
+    parts.append(&mut gear.parts);
+    gear.parts = parts;
     Some(Group {
         name: text.unwrap_or_else(|| part.label.name.to_owned()),
         count,
@@ -88,7 +95,7 @@ fn group(node: &Node, cx: &mut Context<'_>) -> Option<Group> {
         nested,
         numbered,
         factory,
-        vehicle: vehicle?,
+        vehicle,
         gear: Arc::new(gear),
         start: start.and_then(|(_, start)| start),
         span: name.map_or(use_span, |n| n.span),
@@ -162,25 +169,29 @@ fn vehicle_choice(node: &Node, faults: &mut Vec<Fault>) -> Option<Choice> {
     }
 }
 
-fn vehicle_factory(choice: &Choice, faults: &mut Vec<Fault>) -> Option<Arc<dyn VehicleFactory>> {
+/// A vehicle that was chosen, and what makes it.
+type Flown = (Choice, Arc<dyn VehicleFactory>);
+
+fn vehicle_factory(choice: Choice, faults: &mut Vec<Fault>) -> Option<Flown> {
     let Make::Vehicle(make) = choice.part.make else {
         return None;
     };
-    make(&choice.params)
+    let factory = make(&choice.params)
         .map_err(|found| faults.extend(found))
-        .ok()
+        .ok()?;
+    Some((choice, factory))
 }
 
 /// The vehicle that the model flies, if it flies: the one named, or the usual one.
 fn flying(
     part: &Part,
     factory: &dyn ModelFactory,
-    named: Option<(Span, Option<Arc<dyn VehicleFactory>>)>,
+    named: Option<(Span, Option<Flown>)>,
     at: Span,
     faults: &mut Vec<Fault>,
-) -> Option<Option<Arc<dyn VehicleFactory>>> {
+) -> Option<Option<Flown>> {
     match (factory.flies(), named) {
-        (true, Some((_, vehicle))) => vehicle.map(Some),
+        (true, Some((_, flown))) => flown.map(Some),
         (false, None) => Some(None),
         (false, Some((span, _))) => {
             let message = format!(
@@ -200,7 +211,7 @@ fn flying(
                 part: usual,
                 params: empty(at),
             };
-            vehicle_factory(&choice, faults).map(Some)
+            vehicle_factory(choice, faults).map(Some)
         }
     }
 }

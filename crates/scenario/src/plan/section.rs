@@ -91,6 +91,13 @@ impl<'n> Section<'n> {
         }
     }
 
+    /// Those of these keys that are there.
+    pub(super) fn entries(&self, keys: &[&str]) -> Vec<(Key, Node)> {
+        let entries = self.table.entries.iter();
+        let entries = entries.filter(|(key, _)| keys.contains(&key.text.as_str()));
+        entries.cloned().collect()
+    }
+
     /// The keys that nobody asked for: the parameters of `part`. What is not one of its parameters
     /// is a fault, with both kinds of keys to guess from.
     pub(super) fn rest(self, part: &Part, faults: &mut Vec<Fault>) -> Node {

@@ -1,5 +1,6 @@
 //! The program as its users meet it: commands, files, errors, repeatability.
 
+mod about;
 mod air;
 mod book;
 mod bounds;

@@ -24,7 +24,7 @@ use simbeeotic_model::check::{at_least_zero, in_range, positive};
 use simbeeotic_model::kernel::Stream;
 use simbeeotic_model::units::{Angle, Current, Length, math};
 use simbeeotic_model::{
-    BuildError, Image, Pixels, SeesWhat, Sensor, Truth, choice, params, sensor,
+    Beams, BuildError, Image, Pixels, SeesWhat, Sensor, Truth, choice, params, sensor,
 };
 
 /// A device whose figures hold for what a scenario does not say.
@@ -397,6 +397,19 @@ impl Sensor for Camera {
 
     fn current(&self) -> Current {
         self.current
+    }
+
+    fn beams(&self) -> Option<Beams> {
+        let optics = self.painter.lens.optics();
+        let view = |pixels: u32| {
+            let half = 0.5 * f64::from(pixels) / optics.focal_px;
+            Angle::si(2.0 * math::atan2(half, 1.0))
+        };
+        Some(Beams::window(
+            view(optics.width),
+            view(optics.height),
+            Length::si(self.painter.far_m),
+        ))
     }
 }
 
