@@ -1,6 +1,7 @@
 //! What the program can be asked, and the help that teaches it.
 
 use super::bench::Experiment;
+use super::plot::{PLOT_EXAMPLES, Plot};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -23,7 +24,7 @@ First steps:
                                                  watch them
   simbeeotic list                                what a scenario can name
   simbeeotic describe instrument-bee             a part's parameters, with units and defaults
-  simbeeotic plot links run.mcap -o links.svg    who heard whom
+  simbeeotic plot traces run.mcap -o flown.svg   who flew where
   simbeeotic new my-swarm                        a crate for a behaviour of your own
 
 Exit codes: 0 all went well; 1 a run failed, or output could not be written; 2 the input is wrong;
@@ -75,7 +76,7 @@ pub(super) enum Command {
     /// Draw a scenario or a world file, as seen by the program's own camera
     #[command(after_help = PICTURE_EXAMPLES)]
     Picture(PictureOptions),
-    /// Draw what is in a recording: links, delivery and RSSI over distance, losses
+    /// Draw what is in a recording: flights, numbers over time, histograms, coverage, links, losses
     #[command(subcommand, after_help = PLOT_EXAMPLES)]
     Plot(Plot),
     /// Write a world made by rule: maze, office, mine, forest, city, warehouse
@@ -111,16 +112,6 @@ Examples:
 
 Without --from it looks from the south-west and from above at all there is. Positions are east, north,
 up, in metres. Kinds: colour, grey, depth (near is bright), labels (a colour for each thing), normals.";
-
-const PLOT_EXAMPLES: &str = "\
-Examples:
-  simbeeotic run scenarios/broadcast.toml --record run.mcap
-  simbeeotic plot links run.mcap -o links.svg
-  simbeeotic plot delivery run.mcap -o delivery.png --bin \"2 m\"
-  simbeeotic plot losses run.mcap -o losses.svg --from \"10 s\" --to \"20 s\"
-
-The file's ending says what it becomes: .svg or .png. Links, delivery and RSSI are drawn from the links
-that the recorder writes, for at most 256 radios: the scenario's, or those that its `packets` names.";
 
 const WORLD_EXAMPLES: &str = "\
 Examples:
@@ -320,94 +311,6 @@ pub(super) struct ExportOptions {
     /// Only ticks up to this time: "20 s"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) to: Option<String>,
-}
-
-/// What is drawn.
-#[derive(Subcommand)]
-pub(super) enum Plot {
-    /// A map from above: who hears whom, how often and how loud
-    Links(LinkOptions),
-    /// How much of what is sent is received, over distance
-    Delivery(DistanceOptions),
-    /// How loud it is received, over distance
-    Rssi(DistanceOptions),
-    /// Why frames were lost, over time
-    Losses(LossOptions),
-}
-
-/// What all pictures have.
-#[derive(Args)]
-pub(super) struct PlotOptions {
-    /// The recording
-    pub(super) recording: PathBuf,
-    /// File to write, .svg or .png
-    #[arg(long, short, value_name = "FILE")]
-    pub(super) output: PathBuf,
-    /// What stands above it
-    #[arg(long)]
-    pub(super) title: Option<String>,
-    /// Its width in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 1000, value_parser = pixels)]
-    pub(super) width: u32,
-    /// Its height in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 700, value_parser = pixels)]
-    pub(super) height: u32,
-    /// Only what is recorded from this time on: "10 s"
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pub(super) from: Option<String>,
-    /// Only what is recorded up to this time: "20 s"
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pub(super) to: Option<String>,
-}
-
-#[derive(Args)]
-pub(super) struct LinkOptions {
-    #[command(flatten)]
-    pub(super) plot: PlotOptions,
-    /// Where the radios are drawn: their places at this time [default: in the mean]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pub(super) time: Option<String>,
-    /// Only links that deliver at least this share of the frames, one way or the other
-    #[arg(
-        long,
-        value_name = "RATIO",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
-    pub(super) least: f64,
-    /// Only the best links of each radio, so many [default: all, if they are not more
-    /// than 6 for each radio, and 600; else as many as these allow]
-    #[arg(long, value_name = "N")]
-    pub(super) per_radio: Option<u32>,
-}
-
-#[derive(Args)]
-pub(super) struct DistanceOptions {
-    #[command(flatten)]
-    pub(super) plot: PlotOptions,
-    /// Width of the bins, with a unit: "2 m" [default: about 30 of them]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub(super) bin: Option<String>,
-}
-
-#[derive(Args)]
-pub(super) struct LossOptions {
-    #[command(flatten)]
-    pub(super) plot: PlotOptions,
-    /// Of one radio that is counted by itself: bee-0/radio [default: of all together]
-    #[arg(long, value_name = "PATH")]
-    pub(super) radio: Option<String>,
-    /// Draw frames that were out of range, too
-    #[arg(long)]
-    pub(super) all: bool,
-}
-
-/// Smaller pictures have no room for their words; larger ones are slips of the keyboard.
-fn pixels(text: &str) -> Result<u32, String> {
-    match text.parse() {
-        Ok(pixels) if (400..=8000).contains(&pixels) => Ok(pixels),
-        _ => Err("a side has 400 to 8000 pixels".to_owned()),
-    }
 }
 
 #[derive(Args)]

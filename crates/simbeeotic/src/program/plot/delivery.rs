@@ -1,11 +1,11 @@
 //! Delivery and RSSI over distance.
 
 use super::super::Failure;
-use super::super::arguments::DistanceOptions;
+use super::arguments::DistanceOptions;
 use super::axes::{Axis, Panel, grouped, nice};
 use super::palette::series;
 use super::sheet::{Anchor, FAINT, HEAD, SMALL, Sheet};
-use super::source::Source;
+use super::source::Sources;
 use super::stats::{BINS_MAX, Bins, quantile, wilson};
 use simbeeotic_record::{Link, Links};
 use simbeeotic_units::Length;
@@ -20,8 +20,8 @@ const MARGIN: f64 = 1.2;
 const DOTS_MAX: usize = 4000;
 
 /// Delivery ratio over distance, and below how many frames it is the ratio of.
-pub(super) fn delivery(source: &Source, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (bins, caption) = binned(source, options, BINS, MARGIN)?;
+pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<Sheet, Failure> {
+    let (bins, caption) = binned(sources, options, BINS, MARGIN)?;
     let [width, height] = options.plot.size();
     let title = options.plot.title("Delivery over distance");
     let mut sheet = Sheet::titled(width, height, title, &caption);
@@ -57,13 +57,13 @@ pub(super) fn delivery(source: &Source, options: &DistanceOptions) -> Result<She
 }
 
 /// RSSI of what was received over distance.
-pub(super) fn rssi(source: &Source, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (mut bins, caption) = binned(source, options, BINS_RSSI, 1.0)?;
-    let dots = scattered(source)?;
+pub(super) fn rssi(sources: &Sources, options: &DistanceOptions) -> Result<Sheet, Failure> {
+    let (mut bins, caption) = binned(sources, options, BINS_RSSI, 1.0)?;
+    let dots = scattered(sources)?;
     if dots.is_empty() {
         return Err(Failure::input(format!(
             "{} has links, but nothing was received at these times: there is no RSSI",
-            source.recording.path().display()
+            sources.first().file()
         )));
     }
     for bin in &mut bins.bins {
@@ -109,12 +109,12 @@ pub(super) fn rssi(source: &Source, options: &DistanceOptions) -> Result<Sheet, 
 
 /// The links by distance, and what the picture is of.
 fn binned(
-    source: &Source,
+    sources: &Sources,
     options: &DistanceOptions,
     count: f64,
     margin: f64,
 ) -> Result<(Bins, String), Failure> {
-    let links = source.links()?;
+    let links = sources.links()?;
     let all = || links.iter().flat_map(|l| &l.links);
     let farthest = |m: f64, link: &Link| m.max(f64::from(link.distance_m));
     let farthest_m = all().fold(0.0, farthest);
@@ -129,7 +129,7 @@ fn binned(
     };
     let mut bins = Bins::new(width_m, reach_m);
     links.iter().for_each(|links| bins.add(links));
-    let caption = caption(source, &links, &bins);
+    let caption = caption(sources, &links, &bins);
     Ok((bins, caption))
 }
 
@@ -147,7 +147,7 @@ fn bin_width(text: &str, reach_m: f64) -> Result<f64, Failure> {
     )))
 }
 
-fn caption(source: &Source, links: &[Links], bins: &Bins) -> String {
+fn caption(sources: &Sources, links: &[Links], bins: &Bins) -> String {
     let last = links.last().map_or(0, |l| l.time_ns);
     let first = links.first().map_or(0, |l| {
         l.time_ns.saturating_sub((l.period_s * 1e9).round() as u64)
@@ -167,12 +167,12 @@ fn caption(source: &Source, links: &[Links], bins: &Bins) -> String {
             grouped(&bins.beyond.to_string())
         );
     }
-    source.caption(first, last, &more)
+    sources.caption(first, last, &more)
 }
 
 /// The mean RSSI of links and periods over their distance; every n-th if there are too many.
-fn scattered(source: &Source) -> Result<Vec<[f64; 2]>, Failure> {
-    let links = source.links()?;
+fn scattered(sources: &Sources) -> Result<Vec<[f64; 2]>, Failure> {
+    let links = sources.links()?;
     let heard = links.iter().flat_map(|l| &l.links);
     let heard = heard.filter(|link| link.received > 0 && link.rssi_dbm.is_finite());
     let dots: Vec<[f64; 2]> = heard

@@ -1,11 +1,12 @@
 //! The map of links: who hears whom, and how well, from above.
 
-use super::super::arguments::LinkOptions;
 use super::super::{Failure, input};
-use super::axes::{Axis, Panel, grouped, nice, number};
-use super::font;
+use super::arguments::LinkOptions;
+use super::axes::{Panel, grouped, nice, number};
+use super::ground::Ground;
+use super::map::{Names, map, scale_bar};
 use super::palette::ramp;
-use super::sheet::{Anchor, FAINT, GRID, HEAD, Ink, SMALL, Sheet, TEXT};
+use super::sheet::{Anchor, FAINT, GRID, Ink, SMALL, Sheet, TEXT};
 use super::source::Source;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::Links;
@@ -19,8 +20,6 @@ const NAMES_MAX: usize = 60;
 /// In less, names and legend find no room, pixels.
 const WIDTH_MIN: u32 = 600;
 const HEIGHT_MIN: u32 = 400;
-/// The width of the column at the right.
-const LEGEND: f64 = 196.0;
 const NODE: Ink = Ink::new([0x26, 0x2b, 0x33]);
 
 /// Frames from one radio to another.
@@ -117,7 +116,8 @@ pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Fai
     });
     let title = options.plot.title("Links");
     let mut sheet = Sheet::titled(width, height, title, &source.caption(first, last, &what));
-    draw(&mut sheet, &radios, &places, pairs, least);
+    let ground = source.stage()?.map(|stage| Ground::of(&stage, &[]));
+    draw(&mut sheet, &radios, &places, pairs, least, ground.as_ref());
     Ok(sheet)
 }
 
@@ -255,9 +255,13 @@ fn draw(
     places: &[[f64; 2]],
     mut pairs: Vec<Pair>,
     least: f64,
+    ground: Option<&Ground>,
 ) {
-    let panel = map(sheet, places);
+    let panel = map(sheet, bounds(places));
     panel.draw(sheet, true);
+    if let Some(ground) = ground {
+        ground.outlines(sheet, &panel);
+    }
     let levels = || {
         pairs
             .iter()
@@ -321,31 +325,15 @@ fn draw(
     );
 }
 
-/// A panel of one scale in both directions, with all radios on it.
-fn map(sheet: &Sheet, places: &[[f64; 2]]) -> Panel {
-    let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
-    let edges = [96.0, HEAD + 8.0, width - LEGEND - 20.0, height - 62.0];
-    let (wide, tall) = (edges[2] - edges[0], edges[3] - edges[1]);
+/// West, south, east, north of all radios, m.
+fn bounds(places: &[[f64; 2]]) -> [f64; 4] {
     let ends = |k: usize| {
         let along = || places.iter().map(|place| place[k]);
         let low = along().fold(f64::INFINITY, f64::min);
         [low, along().fold(f64::NEG_INFINITY, f64::max)]
     };
     let [[west, east], [south, north]] = [ends(0), ends(1)];
-    let metre = (1.12 * (east - west) / wide).max(1.12 * (north - south) / tall);
-    let metre = if metre > 0.0 { metre } else { 1.0 / wide };
-    let axis = |label: &str, low: f64, high: f64, pixels: f64| {
-        let (middle, half) = (0.5 * (low + high), 0.5 * pixels * metre);
-        Axis::exact(label, middle - half, middle + half, pixels / 90.0)
-    };
-    let mut panel = Panel {
-        edges,
-        x: axis("east, m", west, east, wide),
-        y: axis("north, m", south, north, tall),
-    };
-    let step = panel.x.step.max(panel.y.step);
-    (panel.x.step, panel.y.step) = (step, step);
-    panel
+    [west, south, east, north]
 }
 
 /// Names of the radios, each where it hides least.
@@ -359,14 +347,10 @@ fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], places: &[[f64; 2]
     let owners: Vec<String> = radios.iter().map(|radio| owner(radio)).collect();
     let size = if radios.len() > 30 { 12.0 } else { SMALL };
     let dots: Vec<[f64; 2]> = places.iter().map(|[x, y]| panel.place(*x, *y)).collect();
-    let mut taken: Vec<[f64; 4]> = dots
-        .iter()
-        .map(|[x, y]| [x - 6.0, y - 6.0, x + 6.0, y + 6.0])
-        .collect();
+    let mut names = Names::around(panel.edges, dots.iter().copied());
     for (at, [x, y]) in dots.iter().enumerate() {
         let alone = owners.iter().filter(|other| **other == owners[at]).count() == 1;
         let text = if alone { &owners[at] } else { &radios[at] };
-        let wide = font::width(text, size);
         // Where other links come from is crowded.
         let crowd = |dx: f64, dy: f64| -> f64 {
             let mine = pairs.iter().filter(|pair| pair.ends.contains(&at));
@@ -378,58 +362,8 @@ fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], places: &[[f64; 2]
             });
             towards.sum()
         };
-        let mut best = (f64::INFINITY, [0.0; 4]);
-        for (dx, dy) in [
-            (1.0, 0.0),
-            (0.7, -0.7),
-            (0.7, 0.7),
-            (0.0, -1.0),
-            (0.0, 1.0),
-            (-0.7, -0.7),
-            (-0.7, 0.7),
-            (-1.0, 0.0),
-        ] {
-            let middle = [
-                x + dx * (9.0 + 0.5 * wide) * if dx == 0.0 { 0.0 } else { 1.0 },
-                y + dy * 16.0,
-            ];
-            let half = [0.5 * wide, 0.42 * size];
-            let field = [
-                middle[0] - half[0],
-                middle[1] - half[1],
-                middle[0] + half[0],
-                middle[1] + half[1],
-            ];
-            let hidden: f64 = taken.iter().map(|other| overlap(field, *other)).sum();
-            let outside = overlap(field, panel.edges) < 0.999 * 4.0 * half[0] * half[1];
-            let cost = hidden + 20.0 * crowd(dx, dy) + if outside { 1e4 } else { 0.0 };
-            if cost < best.0 {
-                best = (cost, field);
-            }
-        }
-        let [left, _, right, bottom] = best.1;
-        sheet.words_apart([0.5 * (left + right), bottom], text, size, Anchor::Middle);
-        taken.push(best.1);
+        names.write(sheet, [*x, *y], text, size, crowd);
     }
-}
-
-/// The area that two rectangles share.
-fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
-    let wide = (a[2].min(b[2]) - a[0].max(b[0])).max(0.0);
-    wide * (a[3].min(b[3]) - a[1].max(b[1])).max(0.0)
-}
-
-/// A length of 1, 2 or 5 times a power of ten, below the map at the right.
-fn scale_bar(sheet: &mut Sheet, panel: &Panel) {
-    let [left, _, right, bottom] = panel.edges;
-    let metre = (right - left) / (panel.x.high - panel.x.low);
-    let length_m = nice(0.09 * (right - left) / metre);
-    let (end, y) = (right, bottom + 46.0);
-    let start = end - length_m * metre;
-    let bar = vec![[start, y - 5.0], [start, y], [end, y], [end, y - 5.0]];
-    sheet.line(bar, TEXT, 1.6);
-    let text = format!("{} m", number(length_m, length_m));
-    sheet.words([start - 8.0, y], text, SMALL, Anchor::End, TEXT);
 }
 
 fn legend(

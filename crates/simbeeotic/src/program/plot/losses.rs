@@ -1,12 +1,12 @@
 //! Why frames were lost, over time.
 
 use super::super::Failure;
-use super::super::arguments::LossOptions;
+use super::arguments::LossOptions;
 use super::axes::{Axis, Panel, grouped, number};
 use super::font;
 use super::palette::series;
 use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
-use super::source::Source;
+use super::source::Sources;
 use simbeeotic_record::{Tallies, Traffic};
 
 /// Narrower bars are not told apart: periods are put together.
@@ -25,8 +25,8 @@ struct Bar {
 }
 
 /// Losses by reason, stacked, and below the frames sent.
-pub(super) fn losses(source: &Source, options: &LossOptions) -> Result<Sheet, Failure> {
-    let periods = periods(source, options.radio.as_deref())?;
+pub(super) fn losses(sources: &Sources, options: &LossOptions) -> Result<Sheet, Failure> {
+    let periods = periods(sources, options.radio.as_deref())?;
     let total = sum(&periods);
     let drawn = |reason: &str| options.all || reason != OUT_OF_RANGE;
     let mut reasons: Vec<(String, u64)> = total
@@ -58,7 +58,7 @@ pub(super) fn losses(source: &Source, options: &LossOptions) -> Result<Sheet, Fa
     let first = periods.first().map_or(0, |t| {
         t.time_ns.saturating_sub((t.period_s * 1e9).round() as u64)
     });
-    let mut sheet = Sheet::titled(width, height, title, &source.caption(first, last, &more));
+    let mut sheet = Sheet::titled(width, height, title, &sources.caption(first, last, &more));
     draw(&mut sheet, &bars, period_s, &reasons);
     Ok(sheet)
 }
@@ -129,16 +129,23 @@ fn draw(sheet: &mut Sheet, bars: &[Bar], period_s: f64, reasons: &[(String, u64)
     }
 }
 
-fn periods(source: &Source, radio: Option<&str>) -> Result<Vec<Traffic>, Failure> {
+fn periods(sources: &Sources, radio: Option<&str>) -> Result<Vec<Traffic>, Failure> {
     let wanted = radio.unwrap_or("");
     let mut radios = Vec::new();
-    let mut periods = Vec::new();
-    for traffic in source.recording.traffic_in(source.times_ns.clone()) {
-        let traffic = traffic.map_err(Failure::run)?;
-        if traffic.radio == wanted {
-            periods.push(traffic);
-        } else if !traffic.radio.is_empty() && !radios.contains(&traffic.radio) {
-            radios.push(traffic.radio);
+    let mut periods: Vec<Traffic> = Vec::new();
+    for (run, source) in sources.all().iter().enumerate() {
+        let mut read = Vec::new();
+        for traffic in source.recording.traffic_in(source.times_ns.clone()) {
+            let traffic = traffic.map_err(Failure::run)?;
+            if traffic.radio == wanted {
+                read.push(traffic);
+            } else if !traffic.radio.is_empty() && !radios.contains(&traffic.radio) {
+                radios.push(traffic.radio);
+            }
+        }
+        match run {
+            0 => periods = read,
+            _ => add(&mut periods, read),
         }
     }
     if !periods.is_empty() {
@@ -154,15 +161,26 @@ fn periods(source: &Source, radio: Option<&str>) -> Result<Vec<Traffic>, Failure
         };
         return Err(Failure::input(format!(
             "{} has no counters of {radio:?} by itself: {known}",
-            source.recording.path().display()
+            sources.first().file()
         )));
     }
+    let source = sources.first();
     let elsewhere = source.recording.traffic_in(0..=u64::MAX).next().is_some();
     Err(source.nothing(
         elsewhere,
         "counters of radios",
         "there was no radio on the air, or it was recorded by an older version",
     ))
+}
+
+/// Adds the periods of another run to those that end at the same times.
+fn add(periods: &mut Vec<Traffic>, more: Vec<Traffic>) {
+    for traffic in more {
+        match periods.binary_search_by_key(&traffic.time_ns, |known| known.time_ns) {
+            Ok(at) => periods[at].period = sum(&[periods[at].clone(), traffic]),
+            Err(at) => periods.insert(at, traffic),
+        }
+    }
 }
 
 fn sum(periods: &[Traffic]) -> Tallies {

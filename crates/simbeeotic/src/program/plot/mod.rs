@@ -7,24 +7,32 @@
 //!
 //! Why there is no plotting library below it: `docs/adr/0014-plots-without-a-library.md`.
 
+mod arguments;
 pub(super) mod axes;
 pub(super) mod chart;
 mod delivery;
+mod flights;
 pub(super) mod font;
+mod ground;
+mod lines;
 mod links;
 mod losses;
+mod map;
 pub(super) mod palette;
 mod png;
 pub(super) mod sheet;
+mod solid;
 mod source;
 mod stats;
 mod svg;
+mod traces;
 
-use super::arguments::{Plot, PlotOptions};
-use super::{Failure, remark, same_file};
+pub(super) use arguments::{PLOT_EXAMPLES, Plot};
+
+use super::{Failure, remark};
 use sheet::Sheet;
 use simbeeotic_record::publish;
-use source::Source;
+use source::Sources;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -68,39 +76,14 @@ pub(super) fn save(sheet: &Sheet, output: &Path, format: Format) -> Result<(), F
 pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
     let options = what.options();
     let format = Format::of(&options.output)?;
-    let source = Source::open(options)?;
-    if same_file(&options.recording, &options.output) {
-        return Err(Failure::input(format!(
-            "{} is the recording itself; choose another name for the picture",
-            options.output.display()
-        )));
-    }
+    let sources = Sources::open(options)?;
     let sheet = match what {
-        Plot::Links(options) => links::links(&source, options),
-        Plot::Delivery(options) => delivery::delivery(&source, options),
-        Plot::Rssi(options) => delivery::rssi(&source, options),
-        Plot::Losses(options) => losses::losses(&source, options),
+        Plot::Traces(options) => traces::traces(sources.one("a map of flights")?, options),
+        Plot::Links(options) => links::links(sources.one("a map of links")?, options),
+        Plot::Delivery(options) => delivery::delivery(&sources, options),
+        Plot::Rssi(options) => delivery::rssi(&sources, options),
+        Plot::Losses(options) => losses::losses(&sources, options),
+        _ => Err(Failure::input("soon")),
     }?;
     save(&sheet, &options.output, format)
-}
-
-impl Plot {
-    fn options(&self) -> &PlotOptions {
-        match self {
-            Self::Links(options) => &options.plot,
-            Self::Delivery(options) | Self::Rssi(options) => &options.plot,
-            Self::Losses(options) => &options.plot,
-        }
-    }
-}
-
-impl PlotOptions {
-    /// Width and height, pixels.
-    fn size(&self) -> [u32; 2] {
-        [self.width, self.height]
-    }
-
-    fn title<'a>(&'a self, or: &'a str) -> &'a str {
-        self.title.as_deref().unwrap_or(or)
-    }
 }

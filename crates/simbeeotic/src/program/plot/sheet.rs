@@ -18,6 +18,18 @@ impl Ink {
     pub(crate) const fn thin(self, alpha: f64) -> Self {
         Self { alpha, ..self }
     }
+
+    /// A share of another colour in this one; the alpha stays.
+    pub(crate) fn mixed(self, other: Ink, share: f64) -> Self {
+        let mix = |k: usize| {
+            let [a, b] = [self.rgb[k], other.rgb[k]].map(f64::from);
+            (a + share.clamp(0.0, 1.0) * (b - a)).round() as u8
+        };
+        Self {
+            rgb: [mix(0), mix(1), mix(2)],
+            ..self
+        }
+    }
 }
 
 /// Words.
@@ -150,6 +162,15 @@ impl Sheet {
 
     pub(crate) fn rectangle(&mut self, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2], ink: Ink) {
         self.area(vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]], ink);
+    }
+
+    /// Coloured cells, row by row from the upper left.
+    pub(crate) fn cells(&mut self, edges: [f64; 4], columns: u32, inks: Vec<Ink>) {
+        self.shapes.push(Shape::Cells {
+            edges,
+            columns,
+            inks,
+        });
     }
 
     pub(crate) fn disc(&mut self, centre: [f64; 2], radius: f64, ink: Ink, rim: f64) {

@@ -1,10 +1,11 @@
-//! What is drawn: a part of a recording.
+//! What is drawn: a part of a recording, or of several.
 
-use super::super::arguments::PlotOptions;
-use super::super::{Failure, input, remark};
+use super::super::{Failure, input, remark, same_file};
+use super::arguments::PlotOptions;
 use simbeeotic_kernel::SimTime;
-use simbeeotic_record::{Links, Recording};
+use simbeeotic_record::{Links, Recording, Stage};
 use std::ops::RangeInclusive;
+use std::path::Path;
 
 /// A recording and the times that are wanted of it.
 pub(super) struct Source {
@@ -12,21 +13,14 @@ pub(super) struct Source {
     pub(super) times_ns: RangeInclusive<u64>,
 }
 
-impl Source {
+/// One recording or more.
+pub(super) struct Sources(Vec<Source>);
+
+impl Sources {
     pub(super) fn open(options: &PlotOptions) -> Result<Self, Failure> {
-        let recording = Recording::open(&options.recording).map_err(Failure::input)?;
-        if recording.truncated() {
-            remark(format!(
-                "note: {} was cut off; it reads up to {}",
-                options.recording.display(),
-                SimTime::from_nanos(recording.end_ns())
-            ));
-        }
         let nanos = |option: &str, text: &Option<String>, or: u64| match text {
             None => Ok(or),
-            Some(text) => SimTime::from_time(input::span(option, text)?)
-                .map(SimTime::nanos)
-                .map_err(|e| Failure::input(format!("{option}: {e}"))),
+            Some(text) => nanos(option, text),
         };
         let (from, to) = (
             nanos("--from", &options.from, 0)?,
@@ -39,9 +33,90 @@ impl Source {
                 SimTime::from_nanos(to)
             )));
         }
+        let sources: Vec<Source> = (options.recordings.iter())
+            .map(|path| Source::open(path, from..=to))
+            .collect::<Result<_, _>>()?;
+        for path in &options.recordings {
+            if same_file(path, &options.output) {
+                return Err(Failure::input(format!(
+                    "{} is the recording itself; choose another name for the picture",
+                    options.output.display()
+                )));
+            }
+        }
+        Ok(Self(sources))
+    }
+
+    /// All of them; never empty.
+    pub(super) fn all(&self) -> &[Source] {
+        &self.0
+    }
+
+    /// The first, and whether it is the only one.
+    pub(super) fn first(&self) -> &Source {
+        &self.0[0]
+    }
+
+    /// The only one.
+    pub(super) fn one(&self, what: &str) -> Result<&Source, Failure> {
+        match self.0.as_slice() {
+            [one] => Ok(one),
+            several => Err(Failure::input(format!(
+                "{what} shows one recording, and {} are given",
+                several.len()
+            ))),
+        }
+    }
+
+    /// The links of all, period by period.
+    pub(super) fn links(&self) -> Result<Vec<Links>, Failure> {
+        let links = self.0.iter().map(Source::links);
+        Ok(links.collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// What was run, and the times that are drawn, for the line below the title.
+    pub(super) fn caption(&self, first_ns: u64, last_ns: u64, more: &str) -> String {
+        if let [one] = self.0.as_slice() {
+            return one.caption(first_ns, last_ns, more);
+        }
+        let seeds: Vec<u64> = self.0.iter().filter_map(|s| s.recording.seed()).collect();
+        let seeds = match (seeds.iter().min(), seeds.iter().max()) {
+            (Some(a), Some(b)) if a == b => format!(", seed {}", a.cast_signed()),
+            (Some(a), Some(b)) => format!(", seeds {} to {}", a.cast_signed(), b.cast_signed()),
+            _ => String::new(),
+        };
+        let name = self.first().name();
+        let same = self.0.iter().all(|source| source.name() == name);
+        let name = if same { name } else { "several scenarios" };
+        format!(
+            "{name}, {} runs{seeds}, {} to {}: {more}",
+            self.0.len(),
+            said(first_ns),
+            said(last_ns)
+        )
+    }
+}
+
+/// A point of time in an argument, ns.
+pub(super) fn nanos(option: &str, text: &str) -> Result<u64, Failure> {
+    SimTime::from_time(input::span(option, text)?)
+        .map(SimTime::nanos)
+        .map_err(|e| Failure::input(format!("{option}: {e}")))
+}
+
+impl Source {
+    fn open(path: &Path, times_ns: RangeInclusive<u64>) -> Result<Self, Failure> {
+        let recording = Recording::open(path).map_err(Failure::input)?;
+        if recording.truncated() {
+            remark(format!(
+                "note: {} was cut off; it reads up to {}",
+                path.display(),
+                SimTime::from_nanos(recording.end_ns())
+            ));
+        }
         Ok(Self {
             recording,
-            times_ns: from..=to,
+            times_ns,
         })
     }
 
@@ -61,6 +136,11 @@ impl Source {
         Ok(links)
     }
 
+    /// What stood in its world; says so if that was not recorded.
+    pub(super) fn stage(&self) -> Result<Option<Stage>, Failure> {
+        Ok(None)
+    }
+
     /// Says that there is nothing to draw, and how to have it.
     pub(super) fn nothing(&self, elsewhere: bool, what: &str, help: &str) -> Failure {
         let file = self.recording.path().display();
@@ -70,13 +150,21 @@ impl Source {
         })
     }
 
+    /// The file's name, for errors.
+    pub(super) fn file(&self) -> String {
+        self.recording.path().display().to_string()
+    }
+
+    /// The recorded scenario's name.
+    fn name(&self) -> &str {
+        let run = self.recording.metadata("run");
+        run.and_then(|run| run.get("name"))
+            .map_or("", String::as_str)
+    }
+
     /// The recorded scenario's name and the times that are drawn, for the line below the title.
     pub(super) fn caption(&self, first_ns: u64, last_ns: u64, more: &str) -> String {
-        let name = self
-            .recording
-            .metadata("run")
-            .and_then(|run| run.get("name"));
-        let name = name.map_or("", String::as_str);
+        let name = self.name();
         let seed = self.recording.seed().map_or(0, u64::cast_signed);
         format!(
             "{name}, seed {seed}, {} to {}: {more}",

@@ -1,0 +1,336 @@
+//! What can be drawn, and the options of each kind.
+
+use clap::{Args, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+pub(in crate::program) const PLOT_EXAMPLES: &str = "\
+Examples:
+  simbeeotic run scenarios/talk.toml
+  simbeeotic plot traces talk.mcap -o flown.svg
+  simbeeotic plot traces talk.mcap -o flown-3d.png --3d
+  simbeeotic plot series talk.mcap -o speed.svg --metric speed --metric packets/delivery
+  simbeeotic plot histogram talk.mcap -o height.svg --metric altitude
+  simbeeotic plot coverage talk.mcap -o seen.png --cell \"2 m\" --reach \"3 m\"
+  simbeeotic plot links talk.mcap -o links.svg
+  simbeeotic plot series run-*.mcap -o soc.svg --metric 'bee-*/battery/soc' --by model.bee.count
+
+The file's ending says what it becomes: .svg or .png. Several recordings are runs of one experiment: series,
+histogram and coverage draw the mean over them with its 95 % confidence band, for each value of `--by`.
+Links, delivery and RSSI are drawn from the links that the recorder writes, for at most 256 radios: the
+scenario's, or those that its `packets` names.";
+
+const TRACES_EXAMPLES: &str = "\
+Examples:
+  simbeeotic plot traces run.mcap -o flown.svg
+  simbeeotic plot traces run.mcap -o flown.svg --models 'bee-*' --color time --to \"20 s\"
+  simbeeotic plot traces run.mcap -o flown.png --3d --azimuth \"200 deg\" --elevation \"25 deg\"
+
+What stands at the height of the flights is filled, what hangs above them is an outline only. Vehicles that do not
+move (hives, beacons) are squares with their names. A ring is where a flight starts, a dot where it ends.";
+
+const SERIES_EXAMPLES: &str = "\
+Numbers that can be drawn:
+  speed, climb, altitude, x, y, z    of each vehicle (z and altitude: above the origin of the world)
+  distance:hive, distance:0,0,5      of each vehicle from a model, or from a place (east, north, up, m)
+  packets/sent, received, overheard, lost, lost/REASON, delivery
+                                     of all radios, or of those that --models takes, in each period
+  bee-*/battery/soc, neighbors       metrics, by their names or by the last part of them
+  bee-*/imu:forward                  what sensors read, by sensor and column; --truth: what was true, too
+
+Examples:
+  simbeeotic plot series run.mcap -o soc.svg --metric 'bee-*/battery/soc' --each
+  simbeeotic plot series run.mcap -o far.svg --metric distance:hive --models 'bee-*' --band quantile
+  simbeeotic plot series run-*.mcap -o sweep.svg --metric speed --by model.bee.count
+  simbeeotic plot series run-*.mcap -o seeds.svg --metric 'bee-*/battery/soc' --by seed";
+
+const HISTOGRAM_EXAMPLES: &str = "\
+It takes the same numbers as `plot series`. Bins are as wide as Freedman and Diaconis propose, unless --bin says
+it, in the unit of the number.
+
+Examples:
+  simbeeotic plot histogram run.mcap -o speed.svg --metric speed
+  simbeeotic plot histogram run.mcap -o height.svg --metric altitude --at \"12 s\" --bin 0.5
+  simbeeotic plot histogram run-*.mcap -o soc.svg --metric 'bee-*/battery/soc' --last";
+
+const COVERAGE_EXAMPLES: &str = "\
+A cell counts as seen while a vehicle is within --reach of its middle, seen from above. Between two ticks a vehicle
+is taken to fly straight on.
+
+Examples:
+  simbeeotic plot coverage run.mcap -o seen.svg --cell \"1 m\" --reach \"2 m\"
+  simbeeotic plot coverage run.mcap -o stay.svg --show dwell --area=-20,-20,20,20
+  simbeeotic plot coverage run-*.mcap -o share.svg --over-time --area=-20,-20,20,20";
+
+/// What is drawn.
+#[derive(Subcommand)]
+pub(in crate::program) enum Plot {
+    /// A map from above: who flew where, over the world; or the same in 3-D
+    #[command(after_help = TRACES_EXAMPLES)]
+    Traces(TraceOptions),
+    /// Numbers over time: flights, metrics, packets, what sensors read
+    #[command(after_help = SERIES_EXAMPLES)]
+    Series(SeriesOptions),
+    /// How often which values occur of the same numbers
+    #[command(after_help = HISTOGRAM_EXAMPLES)]
+    Histogram(HistogramOptions),
+    /// A map of what was seen of an area, or how much of it over time
+    #[command(after_help = COVERAGE_EXAMPLES)]
+    Coverage(CoverageOptions),
+    /// A map from above: who hears whom, how often and how loud
+    Links(LinkOptions),
+    /// How much of what is sent is received, over distance; several recordings are pooled
+    Delivery(DistanceOptions),
+    /// How loud it is received, over distance; several recordings are pooled
+    Rssi(DistanceOptions),
+    /// Why frames were lost, over time; several recordings are added up
+    Losses(LossOptions),
+}
+
+/// What all pictures have.
+#[derive(Args)]
+pub(crate) struct PlotOptions {
+    /// The recording, or the recordings of several runs
+    #[arg(required = true, value_name = "RECORDING")]
+    pub(crate) recordings: Vec<PathBuf>,
+    /// File to write, .svg or .png
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    /// What stands above it
+    #[arg(long)]
+    pub(crate) title: Option<String>,
+    /// Its width in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 1000, value_parser = pixels)]
+    pub(crate) width: u32,
+    /// Its height in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 700, value_parser = pixels)]
+    pub(crate) height: u32,
+    /// Only what is recorded from this time on: "10 s"
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) from: Option<String>,
+    /// Only what is recorded up to this time: "20 s"
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+}
+
+/// What the colour of a trace says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColorBy {
+    /// Which vehicle it is
+    Vehicle,
+    /// Of which kind it is: models whose names differ in a number only
+    Kind,
+    /// When it was there
+    Time,
+    /// How high it was
+    Altitude,
+}
+
+#[derive(Args)]
+pub(crate) struct TraceOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    /// Only models whose path matches: 'bee-*', or several, 'bee-1*,hive'
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    pub(crate) models: Vec<String>,
+    /// What the colours say [default: vehicle, if there are at most seven; else kind]
+    #[arg(long = "color", value_name = "WHAT")]
+    pub(crate) color: Option<ColorBy>,
+    /// What is above this height is an outline only, with a unit [default: where the flights are]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) level: Option<String>,
+    /// Leave out the objects whose label or kind is this; may be given many times: roof
+    #[arg(long, value_name = "LABEL")]
+    pub(crate) hide: Vec<String>,
+    /// Draw the whole world, not only what is near the flights
+    #[arg(long)]
+    pub(crate) whole: bool,
+    /// Seen from the side and above, in 3-D
+    #[arg(long = "3d")]
+    pub(crate) solid: bool,
+    /// In 3-D: the direction from which it is seen, clockwise from north
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        default_value = "205 deg",
+        allow_hyphen_values = true
+    )]
+    pub(crate) azimuth: String,
+    /// In 3-D: how far above the horizon it is seen from
+    #[arg(long, value_name = "ANGLE", default_value = "28 deg")]
+    pub(crate) elevation: String,
+}
+
+/// The band around a mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum BandKind {
+    /// From the least to the greatest
+    MinMax,
+    /// From 5 % to 95 % of them
+    Quantile,
+    /// Where the mean is with 95 % confidence, after Student
+    Confidence,
+    /// None: the mean alone
+    None,
+}
+
+/// Which numbers, of whom.
+#[derive(Args)]
+pub(crate) struct NumberOptions {
+    /// What is drawn: speed, bee-*/battery/soc, packets/sent ...; may be given many times
+    #[arg(long, value_name = "NAME", required = true)]
+    pub(crate) metric: Vec<String>,
+    /// Only of models whose path matches: 'bee-*', or several, 'bee-1*,hive'
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    pub(crate) models: Vec<String>,
+    /// Of several recordings: what sets them apart: a value of the scenario (model.bee.count), seed, file
+    /// [default: they are runs of one and the same]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct SeriesOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    #[command(flatten)]
+    pub(crate) numbers: NumberOptions,
+    /// A line for each vehicle, however many there are [default: up to seven]
+    #[arg(long, conflicts_with = "band")]
+    pub(crate) each: bool,
+    /// The mean, and around it: [default: quantile of one run's vehicles, confidence of several runs]
+    #[arg(long, value_name = "BAND")]
+    pub(crate) band: Option<BandKind>,
+    /// Draw what was true beside what sensors read, dashed
+    #[arg(long)]
+    pub(crate) truth: bool,
+}
+
+#[derive(Args)]
+pub(crate) struct HistogramOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    #[command(flatten)]
+    pub(crate) numbers: NumberOptions,
+    /// The values at this time only: "12 s"
+    #[arg(long, value_name = "TIME", conflicts_with = "last")]
+    pub(crate) at: Option<String>,
+    /// The last value of each only
+    #[arg(long)]
+    pub(crate) last: bool,
+    /// Width of the bins, in the unit of the number
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    pub(crate) bin: Option<f64>,
+}
+
+/// What a cell of a coverage map shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CoverageKind {
+    /// How often a vehicle came
+    Visits,
+    /// For how long vehicles were there, added up
+    Dwell,
+    /// When the last one was there
+    Last,
+}
+
+#[derive(Args)]
+pub(crate) struct CoverageOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    /// Only models whose path matches: 'bee-*', or several, 'bee-1*,hive'
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    pub(crate) models: Vec<String>,
+    /// The side of a cell, with a unit [default: about a hundred cells in a row]
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) cell: Option<String>,
+    /// How far a vehicle sees, with a unit [default: half a cell]
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) reach: Option<String>,
+    /// The area, m [default: what the flights reach]
+    #[arg(long, value_name = "WEST,SOUTH,EAST,NORTH", allow_hyphen_values = true)]
+    pub(crate) area: Option<String>,
+    /// What a cell shows
+    #[arg(long, value_name = "WHAT", default_value = "visits")]
+    pub(crate) show: CoverageKind,
+    /// The share of the area that was seen, over time
+    #[arg(long)]
+    pub(crate) over_time: bool,
+    /// With --over-time, of several recordings: what sets them apart: model.bee.count, seed, file
+    #[arg(long, value_name = "KEY", requires = "over_time")]
+    pub(crate) by: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct LinkOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    /// Where the radios are drawn: their places at this time [default: in the mean]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) time: Option<String>,
+    /// Only links that deliver at least this share of the frames, one way or the other
+    #[arg(
+        long,
+        value_name = "RATIO",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    pub(crate) least: f64,
+    /// Only the best links of each radio, so many [default: all, if they are not more
+    /// than 6 for each radio, and 600; else as many as these allow]
+    #[arg(long, value_name = "N")]
+    pub(crate) per_radio: Option<u32>,
+}
+
+#[derive(Args)]
+pub(crate) struct DistanceOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    /// Width of the bins, with a unit: "2 m" [default: about 30 of them]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) bin: Option<String>,
+}
+
+#[derive(Args)]
+pub(crate) struct LossOptions {
+    #[command(flatten)]
+    pub(crate) plot: PlotOptions,
+    /// Of one radio that is counted by itself: bee-0/radio [default: of all together]
+    #[arg(long, value_name = "PATH")]
+    pub(crate) radio: Option<String>,
+    /// Draw frames that were out of range, too
+    #[arg(long)]
+    pub(crate) all: bool,
+}
+
+/// Smaller pictures have no room for their words; larger ones are slips of the keyboard.
+fn pixels(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(pixels) if (400..=8000).contains(&pixels) => Ok(pixels),
+        _ => Err("a side has 400 to 8000 pixels".to_owned()),
+    }
+}
+
+impl Plot {
+    pub(super) fn options(&self) -> &PlotOptions {
+        match self {
+            Self::Traces(options) => &options.plot,
+            Self::Series(options) => &options.plot,
+            Self::Histogram(options) => &options.plot,
+            Self::Coverage(options) => &options.plot,
+            Self::Links(options) => &options.plot,
+            Self::Delivery(options) | Self::Rssi(options) => &options.plot,
+            Self::Losses(options) => &options.plot,
+        }
+    }
+}
+
+impl PlotOptions {
+    /// Width and height, pixels.
+    pub(super) fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    pub(super) fn title<'a>(&'a self, or: &'a str) -> &'a str {
+        self.title.as_deref().unwrap_or(or)
+    }
+}

@@ -1,0 +1,241 @@
+//! What maps from above have in common: one scale in both directions, a bar of it, where north is, names that
+//! keep out of each other's way, and the columns at the right.
+
+use super::axes::{Axis, Panel, nice, number};
+use super::font;
+use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
+
+/// The width of the column at the right.
+pub(super) const LEGEND: f64 = 196.0;
+/// How much wider a map is than what is on it.
+const MARGIN: f64 = 1.12;
+
+/// A panel of one scale in both directions that shows all between the bounds: west, south, east, north, m.
+pub(super) fn map(sheet: &Sheet, bounds: [f64; 4]) -> Panel {
+    let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
+    let edges = [96.0, HEAD + 8.0, width - LEGEND - 20.0, height - 62.0];
+    let (wide, tall) = (edges[2] - edges[0], edges[3] - edges[1]);
+    let [west, south, east, north] = bounds;
+    let metre = (MARGIN * (east - west) / wide).max(MARGIN * (north - south) / tall);
+    let metre = if metre > 0.0 && metre.is_finite() {
+        metre
+    } else {
+        1.0 / wide
+    };
+    let axis = |label: &str, low: f64, high: f64, pixels: f64| {
+        let (middle, half) = (0.5 * (low + high), 0.5 * pixels * metre);
+        let middle = if middle.is_finite() { middle } else { 0.0 };
+        Axis::exact(label, middle - half, middle + half, pixels / 90.0)
+    };
+    let mut panel = Panel {
+        edges,
+        x: axis("east, m", west, east, wide),
+        y: axis("north, m", south, north, tall),
+    };
+    let step = panel.x.step.max(panel.y.step);
+    (panel.x.step, panel.y.step) = (step, step);
+    panel
+}
+
+/// How many pixels a metre has on a map.
+pub(super) fn pixels_each_m(panel: &Panel) -> f64 {
+    let [left, _, right, _] = panel.edges;
+    (right - left) / (panel.x.high - panel.x.low)
+}
+
+/// A length of 1, 2 or 5 times a power of ten, below the map at the right.
+pub(super) fn scale_bar(sheet: &mut Sheet, panel: &Panel) {
+    let [left, _, right, bottom] = panel.edges;
+    let metre = pixels_each_m(panel);
+    let length_m = nice(0.09 * (right - left) / metre);
+    let (end, y) = (right, bottom + 46.0);
+    let start = end - length_m * metre;
+    let bar = vec![[start, y - 5.0], [start, y], [end, y], [end, y - 5.0]];
+    sheet.line(bar, TEXT, 1.6);
+    let text = format!("{} m", number(length_m, length_m));
+    sheet.words([start - 8.0, y], text, SMALL, Anchor::End, TEXT);
+}
+
+/// An arrow that points north, in the upper right corner of the map.
+pub(super) fn north(sheet: &mut Sheet, panel: &Panel) {
+    let [_, top, right, _] = panel.edges;
+    let (x, y) = (right - 20.0, top + 12.0);
+    sheet.area(
+        vec![
+            [x, y],
+            [x + 6.0, y + 22.0],
+            [x, y + 17.0],
+            [x - 6.0, y + 22.0],
+        ],
+        TEXT,
+    );
+    sheet.words_apart([x, y + 37.0], "N", SMALL, Anchor::Middle);
+}
+
+/// Names on a map, each where it hides least.
+pub(super) struct Names {
+    frame: [f64; 4],
+    taken: Vec<[f64; 4]>,
+}
+
+impl Names {
+    /// In a frame (left, top, right, bottom), with discs that must not be hidden.
+    pub(super) fn around(frame: [f64; 4], discs: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let around = |[x, y]: [f64; 2]| [x - 6.0, y - 6.0, x + 6.0, y + 6.0];
+        Self {
+            frame,
+            taken: discs.into_iter().map(around).collect(),
+        }
+    }
+
+    /// Writes one beside a place. `crowd` says how crowded it is in a direction.
+    pub(super) fn write(
+        &mut self,
+        sheet: &mut Sheet,
+        [x, y]: [f64; 2],
+        text: &str,
+        size: f64,
+        crowd: impl Fn(f64, f64) -> f64,
+    ) {
+        let wide = font::width(text, size);
+        let mut best = (f64::INFINITY, [0.0; 4]);
+        for (dx, dy) in [
+            (1.0, 0.0),
+            (0.7, -0.7),
+            (0.7, 0.7),
+            (0.0, -1.0),
+            (0.0, 1.0),
+            (-0.7, -0.7),
+            (-0.7, 0.7),
+            (-1.0, 0.0),
+        ] {
+            let middle = [
+                x + dx * (9.0 + 0.5 * wide) * if dx == 0.0 { 0.0 } else { 1.0 },
+                y + dy * 16.0,
+            ];
+            let half = [0.5 * wide, 0.42 * size];
+            let field = [
+                middle[0] - half[0],
+                middle[1] - half[1],
+                middle[0] + half[0],
+                middle[1] + half[1],
+            ];
+            let hidden: f64 = self.taken.iter().map(|other| overlap(field, *other)).sum();
+            let outside = overlap(field, self.frame) < 0.999 * 4.0 * half[0] * half[1];
+            let cost = hidden + 20.0 * crowd(dx, dy) + if outside { 1e4 } else { 0.0 };
+            if cost < best.0 {
+                best = (cost, field);
+            }
+        }
+        let [left, _, right, bottom] = best.1;
+        sheet.words_apart([0.5 * (left + right), bottom], text, size, Anchor::Middle);
+        self.taken.push(best.1);
+    }
+}
+
+/// The area that two rectangles share.
+fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
+    let wide = (a[2].min(b[2]) - a[0].max(b[0])).max(0.0);
+    wide * (a[3].min(b[3]) - a[1].max(b[1])).max(0.0)
+}
+
+/// The column at the right of a panel: what colours and marks say, from the top down.
+pub(super) struct Column {
+    left: f64,
+    y: f64,
+    bottom: f64,
+}
+
+impl Column {
+    pub(super) fn beside(panel: &Panel) -> Self {
+        let [_, top, right, bottom] = panel.edges;
+        Self {
+            left: right + 24.0,
+            y: top + 12.0,
+            bottom,
+        }
+    }
+
+    /// At the right of a picture of a width, from a height to another.
+    pub(super) fn at(width: f64, top: f64, bottom: f64) -> Self {
+        Self {
+            left: width - LEGEND + 4.0,
+            y: top,
+            bottom,
+        }
+    }
+
+    /// Words.
+    pub(super) fn say(&mut self, sheet: &mut Sheet, text: &str, ink: Ink) {
+        let size = SMALL.min(SMALL * (LEGEND - 10.0) / font::width(text, SMALL).max(1.0));
+        sheet.words([self.left, self.y], text, size, Anchor::Start, ink);
+        self.y += 20.0;
+    }
+
+    pub(super) fn gap(&mut self) {
+        self.y += 14.0;
+    }
+
+    /// How many lines there is still room for.
+    pub(super) fn room(&self) -> usize {
+        ((self.bottom - self.y) / 20.0).max(0.0) as usize
+    }
+
+    /// What a line's colour says.
+    pub(super) fn line(&mut self, sheet: &mut Sheet, ink: Ink, width: f64, text: &str) {
+        let y = self.y - 5.0;
+        sheet.line(vec![[self.left, y], [self.left + 24.0, y]], ink, width);
+        self.beside_mark(sheet, text);
+    }
+
+    /// What a mark says; it is drawn around the place that it is told.
+    pub(super) fn mark(
+        &mut self,
+        sheet: &mut Sheet,
+        text: &str,
+        draw: impl FnOnce(&mut Sheet, [f64; 2]),
+    ) {
+        draw(sheet, [self.left + 12.0, self.y - 5.0]);
+        self.beside_mark(sheet, text);
+    }
+
+    fn beside_mark(&mut self, sheet: &mut Sheet, text: &str) {
+        let size = SMALL.min(SMALL * (LEGEND - 44.0) / font::width(text, SMALL).max(1.0));
+        let at = [self.left + 33.0, self.y];
+        sheet.words(at, text, size, Anchor::Start, TEXT);
+        self.y += 20.0;
+    }
+
+    /// A bar of colours, from `low` at its foot to `high`.
+    pub(super) fn colours(
+        &mut self,
+        sheet: &mut Sheet,
+        label: &str,
+        [low, high]: [f64; 2],
+        ink: impl Fn(f64) -> Ink,
+    ) {
+        self.say(sheet, label, TEXT);
+        self.y -= 6.0;
+        let (left, y) = (self.left, self.y);
+        let (wide, tall) = (18.0, 180.0_f64.min(self.bottom - self.y));
+        let parts = 60_u32;
+        let share = |part: u32| (f64::from(part) + 0.5) / f64::from(parts);
+        let inks = (0..parts).rev().map(|part| ink(share(part))).collect();
+        sheet.cells([left, y, left + wide, y + tall], 1, inks);
+        let axis = Axis::exact("", low, high, 4.0);
+        for (value, text) in axis.ticks() {
+            let at = y + tall * (1.0 - (value - axis.low) / (axis.high - axis.low));
+            sheet.line(vec![[left + wide, at], [left + wide + 5.0, at]], TEXT, 1.0);
+            let at = [left + wide + 10.0, at + 5.0];
+            sheet.words(at, text, SMALL, Anchor::Start, TEXT);
+        }
+        self.y += tall + 34.0;
+    }
+
+    /// Words of less weight, line by line.
+    pub(super) fn note(&mut self, sheet: &mut Sheet, lines: &[&str]) {
+        for line in lines {
+            self.say(sheet, line, FAINT);
+        }
+    }
+}

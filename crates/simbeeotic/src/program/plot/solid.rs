@@ -1,0 +1,589 @@
+//! Traces in 3-D: seen from the side and above, without perspective, so that lengths can be compared.
+
+use super::super::Failure;
+use super::arguments::TraceOptions;
+use super::axes::{nice, number};
+use super::ground::{placed, triangles};
+use super::lines::simplified;
+use super::map::Column;
+use super::sheet::{Anchor, FAINT, GRID, HEAD, Ink, NORMAL, SMALL, Sheet, TEXT, WHITE};
+use super::traces::{Paints, Scene, parts, pen, station};
+use simbeeotic_record::stage::{Form, Piece};
+use simbeeotic_units::{Angle, math};
+
+const BLACK: Ink = Ink::new([0; 3]);
+/// Corners of what is round.
+const ROUND: usize = 20;
+/// Meshes of more triangles are drawn by every n-th of them no longer: they are left out, and it is said.
+const FACES_MAX: usize = 40_000;
+/// Vehicles with a line down to the ground.
+const DROPS_MAX: usize = 40;
+/// Links of a trace that are drawn in the order of their depth.
+const LINKS: usize = 24;
+
+/// From where it is seen, and where that is on the picture.
+struct Eye {
+    /// Unit vectors to the right, upwards on the picture, and towards the eye.
+    axes: [[f64; 3]; 3],
+    pixels_each_m: f64,
+    /// Where the origin is, pixels.
+    origin: [f64; 2],
+}
+
+/// Something with a depth.
+struct Thing {
+    depth: f64,
+    what: What,
+}
+
+enum What {
+    Face(Vec<[f64; 2]>, Ink),
+    Link(Vec<[f64; 2]>, Ink, f64),
+    Drop([f64; 2], [f64; 2], Ink),
+    Ring([f64; 2], Ink),
+    Dot([f64; 2], f64, Ink),
+    Station([f64; 2]),
+}
+
+/// Draws a scene.
+pub(super) fn draw(
+    sheet: &mut Sheet,
+    scene: &Scene,
+    options: &TraceOptions,
+) -> Result<(), Failure> {
+    let angle = |option: &str, text: &str| {
+        text.parse::<Angle>()
+            .map_err(|error| Failure::input(format!("{option}: {error}")))
+    };
+    let azimuth = angle("--azimuth", &options.azimuth)?.radians();
+    let elevation = angle("--elevation", &options.elevation)?.radians();
+    if !(0.05..=std::f64::consts::FRAC_PI_2).contains(&elevation) || !azimuth.is_finite() {
+        return Err(Failure::input(format!(
+            "--elevation {}: it must lie between 3 deg and 90 deg",
+            options.elevation
+        )));
+    }
+    let room = Room::around(scene);
+    let eye = Eye::fitting(sheet, &room, azimuth, elevation);
+    floor(sheet, &eye, &room);
+    let paints = Paints::of(scene, options.color);
+    let mut things = Vec::new();
+    let left_out = world(&mut things, &eye, scene, options, &room);
+    flights(&mut things, &eye, scene, &paints, &room);
+    things.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    for thing in things {
+        thing.what.draw(sheet);
+    }
+    height(sheet, &eye, &room);
+    let mut column = Column::at(
+        f64::from(sheet.width),
+        HEAD + 20.0,
+        f64::from(sheet.height) - 20.0,
+    );
+    paints.legend(sheet, &mut column, scene);
+    column.note(sheet, &["Grey: the traces'", "shadows at noon."]);
+    if left_out {
+        column.note(sheet, &["Meshes that are too", "fine are left out."]);
+    }
+    Ok(())
+}
+
+/// The block of space that is drawn: west to east, south to north, from its floor to its top, m.
+struct Room {
+    ends: [[f64; 2]; 3],
+    /// Between two lines of the grid, m.
+    step: f64,
+}
+
+impl Room {
+    fn around(scene: &Scene) -> Self {
+        let [x, y, z] = scene.spans_m;
+        let long = (x[1] - x[0]).max(y[1] - y[0]).max(z[1] - z[0]).max(1.0);
+        let step = nice(long / 8.0);
+        let whole = |[low, high]: [f64; 2]| {
+            let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+            [low, high.max(low + step)]
+        };
+        let plane = scene.stage.as_ref().is_none_or(|stage| stage.plane);
+        let foot = if plane && z[0] > 0.0 && z[0] < 2.0 * long {
+            0.0
+        } else {
+            z[0]
+        };
+        let [_, top] = whole([foot, z[1]]);
+        let foot = if foot == 0.0 {
+            0.0
+        } else {
+            whole([foot, z[1]])[0]
+        };
+        Self {
+            ends: [whole(x), whole(y), [foot, top]],
+            step,
+        }
+    }
+
+    fn corners(&self) -> [[f64; 3]; 8] {
+        std::array::from_fn(|k| [k & 1, k >> 1 & 1, k >> 2].map(|bit| bit))
+            .map(|bits: [usize; 3]| [0, 1, 2].map(|axis| self.ends[axis][bits[axis]]))
+    }
+
+    /// Whether a point is within the floor, and not far above.
+    fn holds(&self, [x, y, _]: [f64; 3]) -> bool {
+        let [[west, east], [south, north], _] = self.ends;
+        (west..=east).contains(&x) && (south..=north).contains(&y)
+    }
+}
+
+impl Eye {
+    fn fitting(sheet: &Sheet, room: &Room, azimuth: f64, elevation: f64) -> Self {
+        let (sin_a, cos_a) = math::sin_cos(azimuth);
+        let (sin_e, cos_e) = math::sin_cos(elevation);
+        // Towards the eye: an azimuth is clockwise from north.
+        let towards = [sin_a * cos_e, cos_a * cos_e, sin_e];
+        let right = [-cos_a, sin_a, 0.0];
+        let up = [-sin_a * sin_e, -cos_a * sin_e, cos_e];
+        let mut eye = Self {
+            axes: [right, up, towards],
+            pixels_each_m: 1.0,
+            origin: [0.0; 2],
+        };
+        let corners = room.corners().map(|corner| eye.pixel(corner));
+        let ends = |k: usize| {
+            let along = || corners.iter().map(|corner| corner[k]);
+            let low = along().fold(f64::INFINITY, f64::min);
+            [low, along().fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let [[left, right], [top, bottom]] = [ends(0), ends(1)];
+        let frame = [
+            90.0,
+            HEAD + 16.0,
+            f64::from(sheet.width) - super::map::LEGEND - 40.0,
+            f64::from(sheet.height) - 70.0,
+        ];
+        let scale =
+            ((frame[2] - frame[0]) / (right - left)).min((frame[3] - frame[1]) / (bottom - top));
+        eye.pixels_each_m = scale;
+        eye.origin = [
+            0.5 * (frame[0] + frame[2]) - 0.5 * scale * (left + right),
+            0.5 * (frame[1] + frame[3]) - 0.5 * scale * (top + bottom),
+        ];
+        eye
+    }
+
+    fn pixel(&self, point: [f64; 3]) -> [f64; 2] {
+        let [right, up, _] = self.axes;
+        [
+            self.origin[0] + self.pixels_each_m * dot(right, point),
+            self.origin[1] - self.pixels_each_m * dot(up, point),
+        ]
+    }
+
+    /// The greater, the nearer.
+    fn depth(&self, point: [f64; 3]) -> f64 {
+        dot(self.axes[2], point)
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl What {
+    fn draw(self, sheet: &mut Sheet) {
+        match self {
+            Self::Face(ring, ink) => {
+                let mut rim = ring.clone();
+                rim.extend(ring.first().copied());
+                sheet.area(ring, ink);
+                sheet.line(rim, ink.mixed(BLACK, 0.4).thin(0.6), 0.6);
+            }
+            Self::Link(points, ink, width) => sheet.line(points, ink, width),
+            Self::Drop(from, to, ink) => {
+                sheet.dashed(vec![from, to], ink, 0.9, [3.0, 3.0]);
+                sheet.disc(to, 1.8, ink, 0.0);
+            }
+            Self::Ring(at, ink) => {
+                sheet.disc(at, 3.8, ink, 0.0);
+                sheet.disc(at, 2.5, WHITE, 0.0);
+            }
+            Self::Dot(at, radius, ink) => sheet.disc(at, radius, ink, 1.0),
+            Self::Station(at) => station(sheet, at, 1),
+        }
+    }
+}
+
+/// The floor with its grid, and its two nearer edges with numbers.
+fn floor(sheet: &mut Sheet, eye: &Eye, room: &Room) {
+    let [[west, east], [south, north], [foot, _]] = room.ends;
+    let corner = |x: f64, y: f64| eye.pixel([x, y, foot]);
+    sheet.area(
+        vec![
+            corner(west, south),
+            corner(east, south),
+            corner(east, north),
+            corner(west, north),
+        ],
+        Ink::new([0xf6, 0xf7, 0xf9]),
+    );
+    let ticks = |[low, high]: [f64; 2]| {
+        let count = ((high - low) / room.step).round() as usize;
+        (0..=count).map(move |k| low + k as f64 * room.step)
+    };
+    let grid = GRID.mixed(BLACK, 0.08);
+    for x in ticks([west, east]) {
+        sheet.line(vec![corner(x, south), corner(x, north)], grid, 0.9);
+    }
+    for y in ticks([south, north]) {
+        sheet.line(vec![corner(west, y), corner(east, y)], grid, 0.9);
+    }
+    // The edges that are nearer to the eye.
+    let [towards_east, towards_north, _] = eye.axes[2];
+    let near_x = if towards_east > 0.0 { east } else { west };
+    let near_y = if towards_north > 0.0 { north } else { south };
+    let out = |from: [f64; 2], along: [f64; 3]| {
+        let [a, b] = [eye.pixel([0.0; 3]), eye.pixel(along)];
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let long = (dx * dx + dy * dy).sqrt().max(1e-9);
+        move |far: f64| [from[0] + dx / long * far, from[1] + dy / long * far]
+    };
+    let side = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
+    let mut label = |from: [f64; 2], along: [f64; 3], value: f64| {
+        let place = out(from, along);
+        sheet.line(vec![place(0.0), place(5.0)], TEXT, 1.0);
+        let [x, y] = place(19.0);
+        let text = number(value, room.step);
+        sheet.words([x, y + 5.0], text, SMALL, Anchor::Middle, TEXT);
+    };
+    for x in ticks([west, east]) {
+        label(corner(x, near_y), [0.0, side(towards_north), 0.0], x);
+    }
+    for y in ticks([south, north]) {
+        label(corner(near_x, y), [side(towards_east), 0.0, 0.0], y);
+    }
+    let [x, y] = out(
+        corner(0.5 * (west + east), near_y),
+        [0.0, side(towards_north), 0.0],
+    )(48.0);
+    sheet.words([x, y + 5.0], "east, m", NORMAL, Anchor::Middle, TEXT);
+    let [x, y] = out(
+        corner(near_x, 0.5 * (south + north)),
+        [side(towards_east), 0.0, 0.0],
+    )(52.0);
+    sheet.words([x, y + 5.0], "north, m", NORMAL, Anchor::Middle, TEXT);
+}
+
+/// The axis of heights, at the corner that is farthest to the left.
+fn height(sheet: &mut Sheet, eye: &Eye, room: &Room) {
+    let [_, _, [foot, top]] = room.ends;
+    let feet = room.corners();
+    let feet = feet.iter().filter(|corner| corner[2] == foot);
+    let left = feet.min_by(|a, b| eye.pixel(**a)[0].total_cmp(&eye.pixel(**b)[0]));
+    let Some([x, y, _]) = left.copied() else {
+        return;
+    };
+    let at = |z: f64| eye.pixel([x, y, z]);
+    sheet.line(vec![at(foot), at(top)], FAINT, 1.2);
+    let count = ((top - foot) / room.step).round() as usize;
+    let each = nice((26.0 / eye.pixels_each_m).max(room.step) / room.step).ceil() as usize;
+    for k in (0..=count).step_by(each.max(1)) {
+        let z = foot + k as f64 * room.step;
+        let [px, py] = at(z);
+        sheet.line(vec![[px - 5.0, py], [px, py]], TEXT, 1.0);
+        let text = number(z, room.step);
+        sheet.words([px - 9.0, py + 5.0], text, SMALL, Anchor::End, TEXT);
+    }
+    let [px, py] = at(top);
+    sheet.words([px, py - 14.0], "height, m", NORMAL, Anchor::Middle, TEXT);
+}
+
+/// What stands in the room, as faces that let the traces through.
+fn world(
+    things: &mut Vec<Thing>,
+    eye: &Eye,
+    scene: &Scene,
+    options: &TraceOptions,
+    room: &Room,
+) -> bool {
+    let Some(stage) = &scene.stage else {
+        return false;
+    };
+    let mut left_out = false;
+    let mut count = 0;
+    for prop in &stage.props {
+        if options
+            .hide
+            .iter()
+            .any(|h| *h == prop.label || *h == prop.kind)
+        {
+            continue;
+        }
+        let [red, green, blue, _] = prop.color;
+        let ink = Ink::new([red, green, blue]);
+        let terrain = prop.kind == "terrain";
+        for piece in &prop.pieces {
+            let faces = faces(piece);
+            if count + faces.len() > FACES_MAX {
+                left_out = true;
+                continue;
+            }
+            count += faces.len();
+            for face in faces {
+                let middle = middle(&face);
+                let normal = normal(&face);
+                let facing = dot(normal, eye.axes[2]);
+                if facing <= 0.0 || !(room.holds(middle) || options.whole) {
+                    continue;
+                }
+                // The sun stands in the south-west, above.
+                let light = dot(normal, [-0.35, -0.45, 0.82]).clamp(-0.4, 1.0);
+                let ink = match light > 0.5 {
+                    true => ink.mixed(WHITE, 0.35 * (light - 0.5) + 0.2),
+                    false => ink.mixed(BLACK, 0.35 * (0.5 - light)).mixed(WHITE, 0.2),
+                };
+                things.push(Thing {
+                    depth: eye.depth(middle),
+                    what: What::Face(
+                        face.iter().map(|point| eye.pixel(*point)).collect(),
+                        ink.thin(if terrain { 0.9 } else { 0.45 }),
+                    ),
+                });
+            }
+        }
+    }
+    left_out
+}
+
+fn middle(face: &[[f64; 3]]) -> [f64; 3] {
+    let count = face.len() as f64;
+    [0, 1, 2].map(|k| face.iter().map(|point| point[k]).sum::<f64>() / count)
+}
+
+fn normal(face: &[[f64; 3]]) -> [f64; 3] {
+    let side = |at: usize| [0, 1, 2].map(|k| face[at][k] - face[0][k]);
+    let [a, b] = [side(1), side(2)];
+    let cross = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ];
+    let long = dot(cross, cross).sqrt().max(1e-300);
+    cross.map(|x| x / long)
+}
+
+/// The faces of a piece, counter-clockwise seen from outside, in the world, m.
+fn faces(piece: &Piece) -> Vec<Vec<[f64; 3]>> {
+    let turn = |k: usize| math::sin_cos(k as f64 * std::f64::consts::TAU / ROUND as f64);
+    // A body of revolution from its profile (radius, height), from below.
+    let revolved = |profile: &[[f64; 2]]| {
+        let mut faces: Vec<Vec<[f64; 3]>> = Vec::new();
+        let point = |[radius, z]: [f64; 2], k: usize| {
+            let (sin, cos) = turn(k);
+            [radius * cos, radius * sin, z]
+        };
+        for two in profile.windows(2) {
+            for k in 0..ROUND {
+                let mut face = vec![point(two[0], k), point(two[0], k + 1)];
+                face.push(point(two[1], k + 1));
+                face.push(point(two[1], k));
+                if two[0][0] == 0.0 {
+                    face.remove(1);
+                } else if two[1][0] == 0.0 {
+                    face.remove(3);
+                }
+                faces.push(face);
+            }
+        }
+        for (end, upper) in [(profile[0], false), (profile[profile.len() - 1], true)] {
+            if end[0] > 0.0 {
+                let mut ring: Vec<_> = (0..ROUND).map(|k| point(end, k)).collect();
+                if !upper {
+                    ring.reverse();
+                }
+                faces.push(ring);
+            }
+        }
+        faces
+    };
+    let arc = |radius: f64, from: f64, to: f64, lift: f64| {
+        (0..=5).map(move |k| {
+            let (sin, cos) = math::sin_cos(from + (to - from) * f64::from(k) / 5.0);
+            [
+                if cos < 1e-12 { 0.0 } else { radius * cos },
+                radius * sin + lift,
+            ]
+        })
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let local = match &piece.form {
+        Form::Box { half_m: [x, y, z] } => {
+            let corner = |signs: [f64; 3]| [signs[0] * x, signs[1] * y, signs[2] * z];
+            let mut faces = Vec::new();
+            for axis in 0..3 {
+                for sign in [-1.0, 1.0] {
+                    let around = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+                    let mut face: Vec<_> = (around.into_iter())
+                        .map(|[a, b]| {
+                            let mut signs = [0.0; 3];
+                            signs[axis] = sign;
+                            signs[(axis + 1) % 3] = a;
+                            signs[(axis + 2) % 3] = b;
+                            corner(signs)
+                        })
+                        .collect();
+                    if sign < 0.0 {
+                        face.reverse();
+                    }
+                    faces.push(face);
+                }
+            }
+            faces
+        }
+        Form::Sphere { radius_m } => {
+            let profile: Vec<_> = arc(*radius_m, -quarter, quarter, 0.0).collect();
+            revolved(&profile)
+        }
+        Form::Cylinder {
+            radius_m,
+            top_m,
+            half_height_m: half,
+        } => revolved(&[[*radius_m, -half], [*top_m, *half]]),
+        Form::Capsule {
+            radius_m,
+            half_height_m: half,
+        } => {
+            let lower = arc(*radius_m, -quarter, 0.0, -half);
+            let profile: Vec<_> = lower.chain(arc(*radius_m, 0.0, quarter, *half)).collect();
+            revolved(&profile)
+        }
+        Form::Mesh { .. } => {
+            return triangles(piece).into_iter().map(|t| t.to_vec()).collect();
+        }
+    };
+    let place = |face: Vec<[f64; 3]>| face.into_iter().map(|p| placed(piece, p)).collect();
+    local.into_iter().map(place).collect()
+}
+
+/// The flights in links, their shadows, their ends, and lines down from where they end.
+fn flights(things: &mut Vec<Thing>, eye: &Eye, scene: &Scene, paints: &Paints, room: &Room) {
+    let (width, alpha) = pen(scene.moving.len());
+    let foot = room.ends[2][0];
+    let many = scene.moving.len();
+    for (place, flight) in scene.moving.iter().enumerate() {
+        let points: Vec<_> = flight.known().collect();
+        let Some((first, last)) = points.first().zip(points.last()) else {
+            continue;
+        };
+        let shadow: Vec<_> = (points.iter())
+            .map(|(_, [x, y, _])| eye.pixel([*x, *y, foot]))
+            .collect();
+        things.push(Thing {
+            depth: f64::NEG_INFINITY,
+            what: What::Link(
+                simplified(&shadow, 0.4),
+                FAINT.thin((alpha * 0.4).max(0.06)),
+                width * 0.8,
+            ),
+        });
+        for (middle, range) in parts(paints, &points) {
+            let (at, point) = points[middle];
+            let ink = paints.ink(place, flight, scene.times_s[at], point[2]);
+            let part = &points[range];
+            let count = if paints.changes() { 1 } else { LINKS };
+            let long = (part.len() - 1).div_ceil(count).max(1);
+            for from in (0..part.len() - 1).step_by(long) {
+                let link = &part[from..=(from + long).min(part.len() - 1)];
+                let pixels: Vec<_> = link.iter().map(|(_, p)| eye.pixel(*p)).collect();
+                things.push(Thing {
+                    depth: eye.depth(link[link.len() / 2].1),
+                    what: What::Link(simplified(&pixels, 0.3), ink.thin(alpha), width),
+                });
+            }
+        }
+        let ink = |(at, p): &(usize, [f64; 3])| paints.ink(place, flight, scene.times_s[*at], p[2]);
+        let (low, high) = (eye.pixel([last.1[0], last.1[1], foot]), eye.pixel(last.1));
+        if many <= DROPS_MAX {
+            things.push(Thing {
+                depth: eye.depth(last.1) - 1e-6,
+                what: What::Drop(high, low, ink(last).thin(0.6)),
+            });
+            things.push(Thing {
+                depth: eye.depth(first.1),
+                what: What::Ring(eye.pixel(first.1), ink(first)),
+            });
+        }
+        things.push(Thing {
+            depth: eye.depth(last.1),
+            what: What::Dot(high, if many <= DROPS_MAX { 4.2 } else { 2.0 }, ink(last)),
+        });
+    }
+    for flight in &scene.still {
+        if let Some((_, point)) = flight.known().next() {
+            things.push(Thing {
+                depth: eye.depth(point),
+                what: What::Station(eye.pixel(point)),
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eye(azimuth: f64, elevation: f64) -> Eye {
+        let room = Room {
+            ends: [[-1.0, 1.0]; 3],
+            step: 1.0,
+        };
+        let sheet = Sheet::titled(1000, 700, "", "");
+        Eye::fitting(&sheet, &room, azimuth.to_radians(), elevation.to_radians())
+    }
+
+    #[test]
+    fn from_the_south_east_is_at_the_right_and_up_is_up() {
+        let eye = eye(180.0, 30.0);
+        let at = |point| eye.pixel(point);
+        assert!(at([1.0, 0.0, 0.0])[0] > at([0.0; 3])[0] + 10.0);
+        assert!(at([0.0, 0.0, 1.0])[1] < at([0.0; 3])[1] - 10.0);
+        // What is farther north is farther away, and higher on the picture.
+        assert!(eye.depth([0.0, 1.0, 0.0]) < eye.depth([0.0; 3]));
+        assert!(at([0.0, 1.0, 0.0])[1] < at([0.0; 3])[1]);
+    }
+
+    #[test]
+    fn from_straight_above_heights_do_not_matter() {
+        let eye = eye(180.0, 90.0);
+        let [a, b] = [eye.pixel([0.3, 0.2, 0.0]), eye.pixel([0.3, 0.2, 1.0])];
+        assert!((a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_faces_of_every_form_look_outwards() {
+        for form in [
+            Form::Box {
+                half_m: [1.0, 2.0, 3.0],
+            },
+            Form::Sphere { radius_m: 1.0 },
+            Form::Cylinder {
+                radius_m: 1.0,
+                top_m: 0.0,
+                half_height_m: 1.0,
+            },
+            Form::Cylinder {
+                radius_m: 1.0,
+                top_m: 1.0,
+                half_height_m: 1.0,
+            },
+            Form::Capsule {
+                radius_m: 0.5,
+                half_height_m: 1.0,
+            },
+        ] {
+            let piece = Piece::at_origin(form);
+            for face in faces(&piece) {
+                let out = dot(normal(&face), middle(&face));
+                assert!(out > 0.0, "{:?}: {face:?}", piece.form);
+            }
+        }
+    }
+}
