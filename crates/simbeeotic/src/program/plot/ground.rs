@@ -158,6 +158,13 @@ impl Ground {
         }
     }
 
+    /// Outlines alone, above other things.
+    pub(super) fn rims(&self, sheet: &mut Sheet, panel: &Panel) {
+        for print in &self.footprints {
+            print.outline(sheet, panel, TEXT.thin(0.55), None);
+        }
+    }
+
     /// Marks that lie above the flights: who and what has a name or a meaning.
     pub(super) fn marks(&self, sheet: &mut Sheet, panel: &Panel) {
         for mark in self.marks.iter().filter(|m| m.kind != MarkKind::Flower) {

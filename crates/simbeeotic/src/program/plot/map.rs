@@ -188,6 +188,18 @@ impl Column {
         self.beside_mark(sheet, text);
     }
 
+    /// What a dashed line's colour says.
+    pub(super) fn dashes(&mut self, sheet: &mut Sheet, ink: Ink, text: &str) {
+        let y = self.y - 5.0;
+        sheet.dashed(
+            vec![[self.left, y], [self.left + 24.0, y]],
+            ink,
+            1.3,
+            [5.0, 4.0],
+        );
+        self.beside_mark(sheet, text);
+    }
+
     /// What a mark says; it is drawn around the place that it is told.
     pub(super) fn mark(
         &mut self,

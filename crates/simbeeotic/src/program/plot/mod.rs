@@ -9,22 +9,28 @@
 
 mod arguments;
 pub(super) mod axes;
+mod band;
 pub(super) mod chart;
+mod coverage;
 mod delivery;
 mod flights;
 pub(super) mod font;
 mod ground;
+mod histogram;
 mod lines;
 mod links;
 mod losses;
 mod map;
 pub(super) mod palette;
 mod png;
+mod quantity;
+mod series;
 pub(super) mod sheet;
 mod solid;
 mod source;
 mod stats;
 mod svg;
+mod sweep;
 mod traces;
 
 pub(super) use arguments::{PLOT_EXAMPLES, Plot};
@@ -79,11 +85,13 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
     let sources = Sources::open(options)?;
     let sheet = match what {
         Plot::Traces(options) => traces::traces(sources.one("a map of flights")?, options),
+        Plot::Series(options) => series::series_plot(&sources, options),
+        Plot::Histogram(options) => histogram::histogram(&sources, options),
+        Plot::Coverage(options) => coverage::coverage(&sources, options),
         Plot::Links(options) => links::links(sources.one("a map of links")?, options),
         Plot::Delivery(options) => delivery::delivery(&sources, options),
         Plot::Rssi(options) => delivery::rssi(&sources, options),
         Plot::Losses(options) => losses::losses(&sources, options),
-        _ => Err(Failure::input("soon")),
     }?;
     save(&sheet, &options.output, format)
 }

@@ -136,9 +136,9 @@ impl Source {
         Ok(links)
     }
 
-    /// What stood in its world; says so if that was not recorded.
+    /// What stood in its world, if that was recorded.
     pub(super) fn stage(&self) -> Result<Option<Stage>, Failure> {
-        Ok(None)
+        self.recording.stage().map_err(Failure::run)
     }
 
     /// Says that there is nothing to draw, and how to have it.

@@ -8,7 +8,7 @@ use super::ground::{Ground, MarkKind, draw_mark};
 use super::lines::{clipped, simplified};
 use super::map::{Column, Names, map, north, scale_bar};
 use super::palette::{ramp, series};
-use super::sheet::{FAINT, Ink, SMALL, Sheet, TEXT, WHITE};
+use super::sheet::{FAINT, Ink, SMALL, Sheet, WHITE};
 use super::solid;
 use super::source::Source;
 use simbeeotic_record::Stage;
@@ -397,11 +397,4 @@ fn legend(sheet: &mut Sheet, column: &mut Column, scene: &Scene, ground: Option<
             });
         }
     }
-}
-
-/// What is said of a picture without anything in it.
-pub(super) fn say_empty(sheet: &mut Sheet, panel: &Panel, what: &str) {
-    let [left, top, right, bottom] = panel.edges;
-    let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
-    sheet.words(middle, what, SMALL, super::sheet::Anchor::Middle, TEXT);
 }

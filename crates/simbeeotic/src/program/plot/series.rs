@@ -1,0 +1,392 @@
+//! Numbers over time: a line each, or their mean with a band, of one run or of several.
+
+use super::super::{Failure, remark};
+use super::arguments::{BandKind, SeriesOptions};
+use super::axes::{Axis, Panel};
+use super::band::{Mean, averaged, means, times};
+use super::lines::simplified;
+use super::map::{Column, LEGEND};
+use super::palette::series;
+use super::quantity::{Curve, Quantity, read};
+use super::sheet::{HEAD, Ink, Sheet, TEXT};
+use super::source::Sources;
+use super::sweep::groups;
+use super::traces::COLOURS;
+
+/// More lines than these are drawn as a band, unless all are asked for.
+const LINES_MAX: usize = COLOURS;
+
+/// A line of the picture, or a mean with its band.
+struct Drawn {
+    name: String,
+    ink: Ink,
+    alpha: f64,
+    width: f64,
+    dashed: bool,
+    holds: bool,
+    means: Vec<Mean>,
+    /// Which quantity it is of.
+    quantity: usize,
+}
+
+/// The picture.
+pub(super) fn series_plot(sources: &Sources, options: &SeriesOptions) -> Result<Sheet, Failure> {
+    let (heads, drawn, what) = match sources.all() {
+        [_] => one(sources, options)?,
+        _ => several(sources, options)?,
+    };
+    let spans = drawn.iter().flat_map(|line| &line.means).map(|m| m.time_s);
+    let first = spans.clone().fold(f64::INFINITY, f64::min);
+    let last = spans.fold(f64::NEG_INFINITY, f64::max);
+    let nanos = |time_s: f64| (time_s.max(0.0) * 1e9).round() as u64;
+    let [width, height] = options.plot.size();
+    let title = match heads.as_slice() {
+        [one] => capital(&one.name),
+        _ => "Over time".to_owned(),
+    };
+    let caption = sources.caption(nanos(first), nanos(last), &what);
+    let mut sheet = Sheet::titled(width, height, options.plot.title(&title), &caption);
+    draw(&mut sheet, &heads, &drawn, [first, last]);
+    Ok(sheet)
+}
+
+/// A sentence begins with a capital.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) if !text.contains(['/', ':', '*']) => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => text.to_owned(),
+    }
+}
+
+type Lines = (Vec<Quantity>, Vec<Drawn>, String);
+
+/// One run: each line, or a band over all that match.
+fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
+    let numbers = &options.numbers;
+    if numbers.by.is_some() {
+        remark("note: --by sets several recordings apart, and there is one");
+    }
+    let quantities = read(sources.first(), &numbers.metric, &numbers.models)?;
+    let mut drawn = Vec::new();
+    let mut what = Vec::new();
+    let all: usize = quantities.iter().map(|q| q.curves.len()).sum();
+    for (at, quantity) in quantities.iter().enumerate() {
+        let count = quantity.curves.len();
+        let banded = options.band.is_some() || (!options.each && all > LINES_MAX && count > 1);
+        if banded {
+            let kind = options.band.unwrap_or(BandKind::Quantile);
+            let ink = series(at);
+            let mut add = |curves: &[Curve], dashed: bool, kind: BandKind| {
+                drawn.push(Drawn {
+                    name: match dashed {
+                        true => "truth".to_owned(),
+                        false => format!("{}, mean of {count}", quantity.name),
+                    },
+                    ink: if dashed { TEXT } else { ink },
+                    alpha: 1.0,
+                    width: if dashed { 1.2 } else { 2.2 },
+                    dashed,
+                    holds: false,
+                    means: means(curves, &times(curves.iter()), kind),
+                    quantity: at,
+                });
+            };
+            add(&quantity.curves, false, kind);
+            if options.truth && !quantity.truth.is_empty() {
+                add(&quantity.truth, true, BandKind::None);
+            }
+            what.push(format!("mean of {count}{}", said(kind)));
+            continue;
+        }
+        let many = all > LINES_MAX;
+        for (line, curve) in quantity.curves.iter().enumerate() {
+            let place = if many {
+                at
+            } else {
+                drawn.iter().filter(|d: &&Drawn| !d.dashed).count()
+            };
+            let name = match (many, line, quantities.len()) {
+                (true, 0, _) => format!("{} ({count})", quantity.name),
+                (true, ..) => String::new(),
+                (false, _, 1) => curve.who.clone(),
+                (false, ..) if count == 1 && curve.who == "all radios" => quantity.name.clone(),
+                _ => format!("{} of {}", quantity.name, curve.who),
+            };
+            let ink = series(place);
+            let (width, alpha) = if many {
+                (1.0, (12.0 / all as f64).clamp(0.12, 0.8))
+            } else {
+                (1.8, 1.0)
+            };
+            drawn.push(line_of(curve, at, name, ink, alpha, width, false));
+            let truth = quantity.truth.iter().find(|truth| truth.who == curve.who);
+            if let Some(truth) = truth.filter(|_| options.truth) {
+                let name = match line {
+                    0 => "truth".to_owned(),
+                    _ => String::new(),
+                };
+                drawn.push(line_of(truth, at, name, TEXT, alpha, 1.1, true));
+            }
+        }
+        what.push(match count {
+            1 => quantity.curves[0].who.clone(),
+            n => format!("{n} lines"),
+        });
+    }
+    if options.truth && quantities.iter().all(|q| q.truth.is_empty()) {
+        remark("note: --truth is of what sensors read; nothing of this is");
+    }
+    what.dedup();
+    Ok((quantities, drawn, what.join("; ")))
+}
+
+fn line_of(
+    curve: &Curve,
+    quantity: usize,
+    name: String,
+    ink: Ink,
+    alpha: f64,
+    width: f64,
+    dashed: bool,
+) -> Drawn {
+    let mean = |[time_s, mean]: &[f64; 2]| Mean {
+        time_s: *time_s,
+        mean: *mean,
+        band: None,
+    };
+    Drawn {
+        name,
+        ink,
+        alpha,
+        width,
+        dashed,
+        holds: curve.holds,
+        means: curve.points.iter().map(mean).collect(),
+        quantity,
+    }
+}
+
+/// What a band is, in words.
+pub(super) fn said(kind: BandKind) -> &'static str {
+    match kind {
+        BandKind::MinMax => ", band: least to greatest",
+        BandKind::Quantile => ", band: 5 % to 95 %",
+        BandKind::Confidence => ", band: 95 % confidence of the mean",
+        BandKind::None => "",
+    }
+}
+
+/// Several runs: of each the mean over all that match, and over the runs of a group their mean.
+fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
+    let numbers = &options.numbers;
+    let kind = options.band.unwrap_or(BandKind::Confidence);
+    let mut heads: Vec<Quantity> = Vec::new();
+    let mut drawn = Vec::new();
+    let groups = groups(sources, numbers.by.as_deref())?;
+    for (place, group) in groups.iter().enumerate() {
+        let mut runs: Vec<Vec<Curve>> = vec![Vec::new(); numbers.metric.len()];
+        for source in &group.runs {
+            let quantities = read(source, &numbers.metric, &numbers.models)?;
+            for (at, mut quantity) in quantities.into_iter().enumerate() {
+                let curves = std::mem::take(&mut quantity.curves);
+                match heads.get(at) {
+                    Some(head) if head.unit != quantity.unit => {
+                        return Err(Failure::input(format!(
+                            "{} is in {:?} in {}, and in {:?} elsewhere",
+                            quantity.name,
+                            quantity.unit,
+                            source.file(),
+                            head.unit
+                        )));
+                    }
+                    Some(_) => {}
+                    None => heads.push(quantity),
+                }
+                runs[at].push(averaged(&curves, &times(curves.iter())));
+            }
+        }
+        for (at, runs) in runs.into_iter().enumerate() {
+            let n = runs.len();
+            let name = match (group.name.as_str(), numbers.metric.len()) {
+                ("", _) => format!("{}, {n} runs", heads[at].name),
+                (name, 1) => name.to_owned(),
+                (name, _) => format!("{}, {name}", heads[at].name),
+            };
+            let times = times(runs.iter());
+            if options.each {
+                for (run, curve) in runs.iter().enumerate() {
+                    let name = if run == 0 {
+                        name.clone()
+                    } else {
+                        String::new()
+                    };
+                    drawn.push(line_of(
+                        curve,
+                        at,
+                        name,
+                        series(place * heads.len() + at),
+                        0.7,
+                        1.2,
+                        false,
+                    ));
+                }
+                continue;
+            }
+            drawn.push(Drawn {
+                name,
+                ink: series(place * heads.len() + at),
+                alpha: 1.0,
+                width: 2.2,
+                dashed: false,
+                holds: false,
+                means: means(&runs, &times, kind),
+                quantity: at,
+            });
+        }
+    }
+    let lone = groups.iter().filter(|group| group.runs.len() == 1).count();
+    let mut what = match options.each {
+        true => "mean of each run".to_owned(),
+        false => format!("mean over runs{}", said(kind)),
+    };
+    if lone > 0 && !options.each && kind != BandKind::None {
+        what += "; of one run alone there is no band";
+    }
+    Ok((heads, drawn, what))
+}
+
+/// A panel for each unit, one below the other.
+fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [f64; 2]) {
+    let mut units: Vec<&str> = Vec::new();
+    for head in heads {
+        if !units.contains(&head.unit.as_str()) {
+            units.push(&head.unit);
+        }
+    }
+    let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
+    let named = drawn.iter().filter(|line| !line.name.is_empty()).count();
+    let legend = if named > 1 { LEGEND } else { 8.0 };
+    let (top, bottom) = (HEAD + 10.0, height - 62.0);
+    let each = (bottom - top + 22.0) / units.len() as f64;
+    let x = Axis::exact("time, s", first, last, (width - legend) / 90.0);
+    for (row, unit) in units.iter().enumerate() {
+        let mine = |line: &&Drawn| heads[line.quantity].unit == **unit;
+        let values = || {
+            let lines = drawn.iter().filter(mine).flat_map(|line| &line.means);
+            lines.flat_map(|m| {
+                [
+                    m.mean,
+                    m.band.map_or(m.mean, |b| b[0]),
+                    m.band.map_or(m.mean, |b| b[1]),
+                ]
+            })
+        };
+        let low = values().fold(f64::INFINITY, f64::min);
+        let high = values().fold(f64::NEG_INFINITY, f64::max);
+        let of: Vec<&Quantity> = heads.iter().filter(|head| head.unit == **unit).collect();
+        let label = match of.as_slice() {
+            [one] => one.label(),
+            several => {
+                let names: Vec<&str> = several.iter().map(|q| q.name.as_str()).collect();
+                match *unit {
+                    "" => names.join(", "),
+                    unit => format!("{}, {unit}", names.join(", ")),
+                }
+            }
+        };
+        let top = top + row as f64 * each;
+        let panel = Panel {
+            edges: [96.0, top, width - legend - 24.0, top + each - 22.0],
+            x: x.clone(),
+            y: value_axis(label, low, high, (each / 70.0).max(2.0)),
+        };
+        panel.draw(sheet, row + 1 == units.len());
+        for line in drawn.iter().filter(mine) {
+            line.draw(sheet, &panel);
+        }
+        if named > 1 {
+            let mut column = Column::beside(&panel);
+            let names = drawn
+                .iter()
+                .filter(mine)
+                .filter(|line| !line.name.is_empty());
+            for line in names {
+                if column.room() == 0 {
+                    column.say(sheet, "...", TEXT);
+                    break;
+                }
+                match line.dashed {
+                    true => column.dashes(sheet, line.ink, &line.name),
+                    false => column.line(sheet, line.ink, 2.4, &line.name),
+                }
+            }
+        }
+    }
+}
+
+/// An axis that holds values, and zero if that is near.
+pub(super) fn value_axis(label: String, low: f64, high: f64, ticks: f64) -> Axis {
+    let (low, high) = match low <= high {
+        true => (low, high),
+        false => (0.0, 1.0),
+    };
+    let near = high - low;
+    let low = if low >= 0.0 && low <= near { 0.0 } else { low };
+    let high = if high <= 0.0 && -high <= near {
+        0.0
+    } else {
+        high
+    };
+    let (low, high) = match high - low > 1e-12 * (low.abs() + high.abs()) {
+        true => (low, high),
+        // All are the same.
+        false => (
+            low - 0.5 * low.abs().max(1.0),
+            low + 0.5 * low.abs().max(1.0),
+        ),
+    };
+    Axis::stretched(label, low, high, ticks)
+}
+
+impl Drawn {
+    fn draw(&self, sheet: &mut Sheet, panel: &Panel) {
+        // Where a band is known without a break.
+        for part in self
+            .means
+            .chunk_by(|a, b| a.band.is_some() == b.band.is_some())
+        {
+            let edge = |end: usize| {
+                let points = part
+                    .iter()
+                    .filter_map(move |m| Some((m.time_s, m.band?[end])));
+                let points: Vec<_> = points.map(|(t, value)| panel.place(t, value)).collect();
+                simplified(&points, 0.25)
+            };
+            let (low, mut high) = (edge(0), edge(1));
+            if low.len() >= 2 {
+                high.reverse();
+                sheet.area([low, high].concat(), self.ink.thin(0.2));
+            }
+        }
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(self.means.len());
+        for mean in &self.means {
+            let next = panel.place(mean.time_s, mean.mean);
+            if self.holds
+                && let Some(last) = points.last()
+            {
+                points.push([next[0], last[1]]);
+            }
+            points.push(next);
+        }
+        let points = simplified(&points, 0.25);
+        let ink = self.ink.thin(self.alpha);
+        match (points.as_slice(), self.dashed) {
+            ([one], _) => sheet.disc(*one, 3.5, ink, 0.0),
+            (_, true) => sheet.dashed(points, ink, self.width, [5.0, 4.0]),
+            (_, false) => sheet.line(points, ink, self.width),
+        }
+    }
+}
