@@ -2,7 +2,7 @@
 import { build } from "esbuild";
 import { chromium } from "playwright-core";
 import { createServer } from "node:http";
-import { mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync } from "node:fs";
 
 const only = process.argv[2] ?? "";
 const built = await build({ entryPoints: ["dev/dev.ts"], bundle: true, format: "esm", write: false, target: "es2022", sourcemap: "inline" });
@@ -15,11 +15,31 @@ const server = createServer((request, response) => {
 await new Promise((done) => server.listen(0, "127.0.0.1", done));
 const at = `http://127.0.0.1:${server.address().port}/`;
 
-const browser = await chromium.launch({
+const own = await chromium.launchServer({
   executablePath: "/usr/bin/chromium",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
+const browser = await chromium.connect(own.wsEndpoint());
+
+/** What the browser's graphics process has used of the processors, ms: other programs do not count. */
+function graphics_ms() {
+  const parents = new Map();
+  for (const pid of readdirSync("/proc").filter((d) => /^\d+$/.test(d))) {
+    try {
+      const fields = readFileSync(`/proc/${pid}/stat`, "utf8").split(") ")[1].split(" ");
+      parents.set(Number(pid), { parent: Number(fields[1]), ms: 10 * (Number(fields[11]) + Number(fields[12])) });
+    } catch {
+      // It has ended.
+    }
+  }
+  const ours = (pid) => pid === own.process().pid || (parents.has(pid) && ours(parents.get(pid).parent));
+  for (const [pid, { ms }] of parents) {
+    if (ours(pid) && readFileSync(`/proc/${pid}/cmdline`, "utf8").includes("--type=gpu-process")) return ms;
+  }
+  return NaN;
+}
+
 mkdirSync("test/out", { recursive: true });
 
 /** name, address, what to do before the picture. */
@@ -57,7 +77,13 @@ const shots = [
   ["wide", "?n=300&extent=250&world=none", null],
   ["town", "?n=300&extent=200&world=town", null],
   ["flowers", "?n=100&flowers=100000", null],
-  ["packets", "?n=100", () => window.dev.view.addPackets(window.dev.packets(6, 12), 1)],
+  ["packets", "?n=100", () => {
+    // Half-way between sender and receivers, however long the picture takes.
+    const now = performance.now();
+    performance.now = () => now;
+    window.dev.view.addPackets(window.dev.packets(6, 12), 1);
+    performance.now = () => now + 150;
+  }],
 ];
 
 for (const [name, query, act] of shots) {
@@ -76,5 +102,60 @@ for (const [name, query, act] of shots) {
   console.log(name, `${Date.now() - start} ms`, JSON.stringify(told).slice(0, 300));
   await page.close();
 }
+if (only === "parts") {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  await page.goto(`${at}?n=${process.argv[3] ?? 100}`);
+  await page.waitForFunction(() => window.dev, undefined, { timeout: 60_000 });
+  await page.waitForTimeout(2500);
+  console.log(await page.evaluate(() => window.dev.view.renderer.getContext().getContextAttributes().antialias));
+  for (const part of ["none", "ground", "sky", "world", "vehicles", "trails", "all"]) {
+    const before = graphics_ms();
+    await page.evaluate((part) => {
+      const { view } = window.dev;
+      view.setRatio(1);
+      const gl = view.renderer.getContext();
+      const [sky, ground] = view.ground.group.children;
+      const all = { sky: [sky], ground: [ground], world: [view.world.group], vehicles: [view.vehicles.group], trails: view.trails.meshes() };
+      for (const [name, list] of Object.entries(all)) for (const o of list) o.visible = part === "all" || name === part;
+      for (let i = 0; i < 10; i++) {
+        view.draw(performance.now());
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      }
+    }, part);
+    console.log(part, (graphics_ms() - before) / 10, "ms of processor");
+  }
+}
+if (only === "measure") {
+  for (const n of [100, 1000, 10000]) {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+    await page.goto(`${at}?n=${n}`);
+    await page.waitForFunction(() => window.dev, undefined, { timeout: 60_000 });
+    await page.waitForTimeout(2500);
+    for (const ratio of [1, 0.5]) {
+    const before = graphics_ms();
+    const times = await page.evaluate((ratio) => {
+      const { view, goTo } = window.dev;
+      const gl = view.renderer.getContext();
+      const pixel = new Uint8Array(4);
+        const list = [];
+        view.setRatio(ratio);
+        for (let i = 0; i < 12; i++) {
+          goTo(7 + (ratio === 1 ? 0 : 1) + i * 0.03);
+          const start = performance.now();
+          view.draw(start);
+          gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+          list.push(performance.now() - start);
+        }
+        list.sort((a, b) => a - b);
+      const { calls, triangles } = view.renderer.info.render;
+      return { least: Math.round(list[0]), median: Math.round(list[6]), calls, triangles };
+    }, ratio);
+    const cpu = Math.round((graphics_ms() - before) / 12);
+    console.log(`${n} vehicles, ${1280 * ratio} x ${720 * ratio}: ${cpu} ms of processor a picture,`, JSON.stringify(times));
+    }
+    await page.close();
+  }
+}
 await browser.close();
+await own.close();
 server.close();

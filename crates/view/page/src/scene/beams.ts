@@ -56,11 +56,12 @@ export class Beams {
         vertexShader: /* glsl */ `
           attribute vec4 colour;
           uniform vec3 uViewport;
+          uniform mat4 uSee;
           uniform float uSize;
           varying vec3 vColour;
           void main() {
             vColour = colour.rgb;
-            gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+            gl_Position = uSee * vec4(position, 1.0);
             gl_Position.z -= 4e-5 * gl_Position.w;
             gl_PointSize = uSize * uViewport.z;
           }`,

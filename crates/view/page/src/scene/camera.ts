@@ -38,7 +38,7 @@ const SIDES: Record<Exclude<ViewName, "orbit">, [azimuth: number, elevation: num
 
 export class Orbit {
   readonly camera = new THREE.Camera();
-  private now: Pose = { target: [0, 0, 0], azimuth: -1.05, elevation: 0.5, zoom: Math.log(30), flat: 0 };
+  private now: Pose = { target: [0, 0, 0], azimuth: -1.05, elevation: 0.36, zoom: Math.log(30), flat: 0 };
   private goal: Pose = structuredClone(this.now);
   private lastOrbit: [number, number] = [this.now.azimuth, this.now.elevation];
   private anchor: (() => Vec3 | null) | null = null;
@@ -48,6 +48,8 @@ export class Orbit {
   private height = 1;
   /** How far around the target there is anything to see, m. */
   reach = 100;
+  /** How much farther away the eye is than it would be with perspective, m. */
+  retreat = 0;
 
   resize(width: number, height: number): void {
     this.aspect = width / Math.max(height, 1);
@@ -89,7 +91,7 @@ export class Orbit {
 
   /** Glides on for `dt` wall seconds; whether it still moves. */
   step(dt: number): boolean {
-    const f = 1 - Math.exp(-Math.min(dt, 0.1) / this.seconds);
+    const f = 1 - Math.exp(-Math.min(dt, 0.4) / this.seconds);
     const { now, goal } = this;
     const away = sub(goal.target, now.target);
     const off =
@@ -123,6 +125,7 @@ export class Orbit {
     const p = this.camera.projectionMatrix;
     const flat = this.now.flat > 0.985;
     const eyeAway = flat ? depth : distance / (1 - this.now.flat);
+    this.retreat = flat ? 0 : eyeAway - distance;
     const eye = add(target, scale(back, eyeAway));
     if (flat) {
       const w = half * this.aspect;

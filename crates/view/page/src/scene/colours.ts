@@ -93,9 +93,9 @@ export function steadyRange(old: [number, number] | null, now: [number, number] 
   return [Math.min(old[0], now[0]), Math.max(old[1], now[1])];
 }
 
-/** sRGB to light, 0 to 1. */
+/** sRGB to light, 0 to 1, as shaders have it. */
 export function linear(byte: number): number {
-  return Math.pow(byte / 255, 2.2);
+  return (byte / 255) ** 2;
 }
 
 /** How colourful a colour is: 0 grey, 1 pure. */

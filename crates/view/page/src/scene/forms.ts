@@ -130,24 +130,26 @@ export function bodyOf(pieces: Piece[], forms: Form[], fine: boolean): THREE.Buf
 const at = (x: number, y: number, z: number, sx = 1, sy = 1, sz = 1): THREE.Matrix4 =>
   new THREE.Matrix4().makeTranslation(x, y, z).scale(new THREE.Vector3(sx, sy, sz));
 
-/** A flyer of radius 1, nose along x: a striped body, a light face, four rotors. About 300 triangles. */
-export function flyer(): THREE.BufferGeometry {
+/** A flyer of radius 1, nose along x: a striped body, a light face, four rotors. About 300 triangles, or 70. */
+export function flyer(fine: boolean): THREE.BufferGeometry {
   const soup: Soup = { position: [], normal: [], tint: [] };
   const dark = [0.08, 0.08, 0.1, 0.85];
-  const body = new THREE.SphereGeometry(1, 14, 16).rotateZ(-Math.PI / 2);
-  put(soup, body, at(0.02, 0, 0, 0.62, 0.3, 0.27), (x) => (x > 0.72 ? [1, 1, 0.97, 0.92] : x < 0.42 && Math.floor((x + 1) * 4.2) % 2 === 0 ? dark : OWN));
+  const body = new THREE.SphereGeometry(1, fine ? 10 : 5, fine ? 12 : 5).rotateZ(-Math.PI / 2);
+  const stripes = (x: number): readonly number[] =>
+    x > (fine ? 0.72 : 0.7) ? [1, 1, 0.97, 0.92] : fine && x < 0.42 && Math.floor((x + 1) * 4.2) % 2 === 0 ? dark : OWN;
+  put(soup, body, at(0.02, 0, 0, 0.62, 0.3, 0.27), stripes);
   for (const [x, y] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const) {
     const tip = [x * 0.52, y * 0.56] as const;
-    const arm = new THREE.BoxGeometry(1, 1, 1);
-    const angle = Math.atan2(tip[1], tip[0]);
-    const m = new THREE.Matrix4()
-      .makeTranslation(tip[0] / 2, tip[1] / 2, 0.1)
-      .multiply(new THREE.Matrix4().makeRotationZ(angle))
-      .scale(new THREE.Vector3(Math.hypot(...tip), 0.06, 0.06));
-    put(soup, arm, m, dark);
+    if (fine) {
+      const m = new THREE.Matrix4()
+        .makeTranslation(tip[0] / 2, tip[1] / 2, 0.1)
+        .multiply(new THREE.Matrix4().makeRotationZ(Math.atan2(tip[1], tip[0])))
+        .scale(new THREE.Vector3(Math.hypot(...tip), 0.06, 0.06));
+      put(soup, new THREE.BoxGeometry(1, 1, 1), m, dark);
+    }
     // Rotors in front are lighter than those behind: the way it flies is seen from far.
-    const rotor = upright(new THREE.CylinderGeometry(1, 1, 1, 12));
-    put(soup, rotor, at(tip[0], tip[1], 0.17, 0.33, 0.33, 0.035), x > 0 ? [1, 1, 1, 0.62] : [0.05, 0.05, 0.06, 0.25]);
+    const rotor = new THREE.CircleGeometry(0.33, fine ? 14 : 6);
+    put(soup, rotor, at(tip[0], tip[1], 0.17), x > 0 ? [1, 1, 1, 0.3] : [0.04, 0.04, 0.05, 0.35]);
   }
   return finish(soup);
 }

@@ -128,6 +128,7 @@ precision highp isampler2D;
 uniform sampler2D uPlacesA, uPlacesB, uColours;
 uniform isampler2D uTurnsA, uTurnsB;
 uniform float uF;
+uniform mat4 uSee;
 ivec2 cell(float i) { int n = int(i + 0.5); return ivec2(n % ${ROW}, n / ${ROW}); }
 /** Place, and the radius. */
 vec4 placeOf(float i) {

@@ -10,13 +10,14 @@ import { LIGHT, SHADOW, type Shared } from "./light";
 
 const GROUND_VERTEX = /* glsl */ `
 uniform vec3 uCentre;
+uniform mat4 uSee;
 varying vec2 vAt;
 varying float vAway;
 void main() {
   vec3 world = vec3(position.xy * uCentre.z + uCentre.xy, 0.0);
   vAt = world.xy;
-  vec4 view = viewMatrix * vec4(world, 1.0);
-  gl_Position = projectionMatrix * view;
+  gl_Position = uSee * vec4(world, 1.0);
+  vAway = isOrthographic ? 0.0 : gl_Position.w;
 }
 `;
 
@@ -27,40 +28,41 @@ uniform vec3 uColour, uLine;
 uniform float uWorldTone, uGrid, uGridFade, uWorldRadius, uShowGrid;
 uniform sampler2D uNoise;
 varying vec2 vAt;
-/** How much of a line of a grid so wide covers this pixel. */
-float lines(vec2 at, float spacing, float px) {
-  vec2 p = at / spacing;
-  vec2 w = fwidth(p);
-  vec2 d = abs(fract(p - 0.5) - 0.5) / max(w, 1e-9);
-  vec2 l = (1.0 - smoothstep(px - 0.5, px + 0.5, d)) * (1.0 - smoothstep(0.12, 0.4, w));
+varying float vAway;
+/** How much of a line of a grid so wide covers this pixel, which is \`w\` wide. */
+float lines(vec2 w, float spacing, float px) {
+  vec2 p = vAt / spacing;
+  vec2 d = abs(fract(p - 0.5) - 0.5) * spacing / w;
+  vec2 l = clamp(px + 0.5 - d, 0.0, 1.0) * clamp(1.4 - w / spacing * 3.5, 0.0, 1.0);
   return max(l.x, l.y);
 }
 void main() {
-  float coarse = texture2D(uNoise, vAt / 37.0).r * 0.6 + texture2D(uNoise, vAt / 411.0).r * 0.4;
-  vec3 base = uColour * uWorldTone * (0.88 + 0.24 * coarse);
+  vec3 base = uColour * (uWorldTone * (0.88 + 0.24 * texture2D(uNoise, vAt / 61.0).r));
+  vec2 w = max(fwidth(vAt), 1e-9);
   float r = length(vAt);
   // Beyond the edge of the world the ground pales.
-  float out_ = smoothstep(uWorldRadius, uWorldRadius * 1.002, r);
-  base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1))) * 0.75, out_ * 0.6);
+  bool beyond = r > uWorldRadius;
+  if (beyond) base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) * 0.75), 0.6);
   vec3 colour = lit(base, vec3(0.0, 0.0, 1.0), sunAt(vec3(vAt, 0.0)));
-  float fine = lines(vAt, uGrid, 0.5) * uGridFade * 0.32;
-  float middle = lines(vAt, uGrid * 10.0, 0.6) * mix(0.42, 0.62, uGridFade);
-  float wide = lines(vAt, uGrid * 100.0, 0.9) * 0.7;
-  vec2 w = fwidth(vAt);
-  float edge = 1.0 - smoothstep(0.7, 1.7, abs(r - uWorldRadius) / max(fwidth(r), 1e-9));
-  float line = max(max(fine, middle), wide) * uShowGrid * (1.0 - 0.7 * out_);
-  colour = mix(colour, uLine, max(line * 0.6, edge * 0.6));
-  vec2 axis = (1.0 - smoothstep(vec2(0.4), vec2(1.4), abs(vAt.yx) / max(w.yx, 1e-9))) * uShowGrid;
-  colour = mix(colour, vec3(0.75, 0.16, 0.1), axis.x * 0.55);
-  colour = mix(colour, vec3(0.1, 0.42, 0.16), axis.y * 0.55);
-  float away = isOrthographic ? 0.0 : distance(cameraPosition, vec3(vAt, 0.0));
-  gl_FragColor = vec4(toSrgb(hazed(colour, away)), 1.0);
+  if (uShowGrid > 0.0) {
+    float fine = lines(w, uGrid, 0.5) * uGridFade * 0.18;
+    float middle = lines(w, uGrid * 10.0, 0.6) * mix(0.22, 0.36, uGridFade);
+    float wide = lines(w, uGrid * 100.0, 0.9) * 0.42;
+    float line = max(max(fine, middle), wide);
+    colour = mix(colour, uLine, beyond ? line * 0.4 : line);
+    vec2 axis = clamp(1.4 - abs(vAt.yx) / w.yx, 0.0, 1.0) * 0.55;
+    colour = mix(colour, vec3(0.75, 0.16, 0.1), axis.x);
+    colour = mix(colour, vec3(0.1, 0.42, 0.16), axis.y);
+  }
+  float edge = clamp(1.6 - abs(r - uWorldRadius) / max(w.x, w.y), 0.0, 1.0);
+  colour = mix(colour, uLine, edge * 0.6);
+  gl_FragColor = vec4(toSrgb(hazed(colour, vAway)), 1.0);
 }
 `;
 
 const SKY_VERTEX = /* glsl */ `
 varying vec2 vScreen;
-void main() { vScreen = position.xy; gl_Position = vec4(position.xy, 1.0, 1.0); }
+void main() { vScreen = position.xy; gl_Position = vec4(position.xy, 0.999999, 1.0); }
 `;
 
 const SKY_FRAGMENT = /* glsl */ `
@@ -80,8 +82,12 @@ void main() {
   } else {
     vec3 d = normalize(-uBack + uRight * vScreen.x * uTan.x + uUp * vScreen.y * uTan.y);
     float h = clamp(d.z, 0.0, 1.0);
-    colour = mix(uHaze, uZenith, 1.0 - pow(1.0 - h, 3.0));
-    colour += uSunLight * 0.16 * pow(max(dot(d, uSun), 0.0), 8.0);
+    float g = 1.0 - h;
+    colour = mix(uZenith, uHaze, g * g * g);
+    float s = max(dot(d, uSun), 0.0);
+    s *= s;
+    s *= s;
+    colour += uSunLight * (0.16 * s * s);
   }
   gl_FragColor = vec4(toSrgb(colour), 1.0);
 }
@@ -168,17 +174,17 @@ export class Ground {
         vertexShader: SKY_VERTEX,
         fragmentShader: SKY_FRAGMENT,
         uniforms: this.uniforms,
-        depthTest: false,
         depthWrite: false,
       }),
     );
     sky.frustumCulled = false;
-    sky.renderOrder = -10;
+    // Last of what hides: only where nothing else is.
+    sky.renderOrder = 4;
     this.group.add(sky, this.ground);
   }
 
   setDark(dark: boolean): void {
-    this.uniforms.uLine.value.setScalar(dark ? 0.42 : 0.02);
+    this.uniforms.uLine.value.setScalar(dark ? 0.3 : 0.02);
   }
 
   showGrid(on: boolean): void {

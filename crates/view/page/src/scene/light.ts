@@ -1,6 +1,7 @@
 // Light, haze and the colours of both themes; what all shaders of the scene share.
 //
-// Shaders compute with light (linear), and turn it into sRGB at their end; three.js' own colour management is off.
+// Shaders compute with light (linear), and turn it into sRGB at their end, both with a
+// gamma of 2, which is cheap; three.js' own colour management is off.
 
 import * as THREE from "three";
 import { linear } from "./colours";
@@ -20,12 +21,16 @@ export interface Shared {
   uViewport: THREE.IUniform<THREE.Vector3>;
   /** Darkens the colours of the world, so that vehicles stand out. */
   uWorldTone: THREE.IUniform<number>;
+  /** From the world to the picture. */
+  uSee: THREE.IUniform<THREE.Matrix4>;
   /** Wall time, s. */
   uClock: THREE.IUniform<number>;
   uShadow: THREE.IUniform<THREE.Texture | null>;
   uShadowFrom: THREE.IUniform<THREE.Matrix4>;
   /** 0: there are no shadows. */
   uShadowDepth: THREE.IUniform<number>;
+  /** 1: their edges are smooth. */
+  uShadowFine: THREE.IUniform<number>;
 }
 
 function rgb(text: string, gain = 1): THREE.Vector3 {
@@ -46,10 +51,12 @@ export function createShared(dark: boolean): Shared {
     uHazeRange: { value: new THREE.Vector2(1e4, 2e4) },
     uViewport: { value: new THREE.Vector3(1, 1, 1) },
     uWorldTone: { value: 1 },
+    uSee: { value: new THREE.Matrix4() },
     uClock: { value: 0 },
     uShadow: { value: empty },
     uShadowFrom: { value: new THREE.Matrix4() },
     uShadowDepth: { value: 0 },
+    uShadowFine: { value: 1 },
   };
   setTheme(shared, dark);
   return shared;
@@ -60,9 +67,9 @@ export function setTheme(shared: Shared, dark: boolean): void {
     shared.uSunLight.value.set(0.62, 0.7, 0.95).multiplyScalar(0.5);
     shared.uSkyLight.value.set(0.42, 0.52, 0.78).multiplyScalar(0.5);
     shared.uEarthLight.value.set(0.2, 0.22, 0.27).multiplyScalar(0.5);
-    shared.uHaze.value.copy(rgb("#1b2534"));
+    shared.uHaze.value.copy(rgb("#1a2433"));
     shared.uZenith.value.copy(rgb("#070b14"));
-    shared.uWorldTone.value = 0.42;
+    shared.uWorldTone.value = 0.62;
   } else {
     shared.uSunLight.value.set(0.86, 0.8, 0.69);
     shared.uSkyLight.value.set(0.46, 0.52, 0.6);
@@ -77,8 +84,8 @@ export function setTheme(shared: Shared, dark: boolean): void {
 export const LIGHT = /* glsl */ `
 uniform vec3 uSun, uSunLight, uSkyLight, uEarthLight, uHaze;
 uniform vec2 uHazeRange;
-vec3 fromSrgb(vec3 c) { return pow(c, vec3(2.2)); }
-vec3 toSrgb(vec3 c) { return pow(min(c, 1.0), vec3(0.4545)); }
+vec3 fromSrgb(vec3 c) { return c * c; }
+vec3 toSrgb(vec3 c) { return sqrt(min(c, 1.0)); }
 /** A matt surface in the sun and under the sky. */
 vec3 lit(vec3 colour, vec3 n, float sun) {
   vec3 sky = mix(uEarthLight, uSkyLight, n.z * 0.5 + 0.5);
@@ -94,7 +101,7 @@ vec3 hazed(vec3 colour, float away) {
 export const SHADOW = /* glsl */ `
 uniform sampler2D uShadow;
 uniform mat4 uShadowFrom;
-uniform float uShadowDepth;
+uniform float uShadowDepth, uShadowFine;
 float sunAt(vec3 world) {
   if (uShadowDepth <= 0.0) return 1.0;
   vec3 s = (uShadowFrom * vec4(world, 1.0)).xyz * 0.5 + 0.5;
@@ -104,6 +111,7 @@ float sunAt(vec3 world) {
   vec2 f = fract(at);
   vec2 c = (floor(at) + 0.5) * texel;
   float z = s.z - uShadowDepth;
+  if (uShadowFine < 0.5) return step(z, texture2D(uShadow, s.xy).r);
   float a = step(z, texture2D(uShadow, c).r);
   float b = step(z, texture2D(uShadow, c + vec2(texel.x, 0.0)).r);
   float d = step(z, texture2D(uShadow, c + vec2(0.0, texel.y)).r);

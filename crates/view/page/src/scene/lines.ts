@@ -35,8 +35,8 @@ void main() {
     alpha *= age < -0.001 || age > 1.0 ? 0.0 : (1.0 - age) * (1.0 - age * 0.4);
   }
   #endif
-  vec4 ca = projectionMatrix * viewMatrix * vec4(a, 1.0);
-  vec4 cb = projectionMatrix * viewMatrix * vec4(b, 1.0);
+  vec4 ca = uSee * vec4(a, 1.0);
+  vec4 cb = uSee * vec4(b, 1.0);
   // What is behind the eye is cut off at a plane just in front of it.
   float least = 1e-4 * max(max(ca.w, cb.w), 1e-3);
   if (ca.w < least && cb.w < least) alpha = 0.0;

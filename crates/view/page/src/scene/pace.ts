@@ -9,7 +9,7 @@ const COARSEST = 0.5;
 /** A picture stands still if none follows for so long. */
 const REST_MS = 350;
 /** A fine picture may take so long. */
-const PATIENCE_MS = 1200;
+const PATIENCE_MS = 900;
 const POLL_MS = 3;
 
 export class Pace {
@@ -28,11 +28,13 @@ export class Pace {
 
   constructor(
     renderer: THREE.WebGLRenderer,
+    /** There is no graphics card: pictures begin coarser, and one at rest is drawn with twice as many pixels instead of smooth edges. */
+    private soft: boolean,
     private setRatio: (ratio: number) => void,
     private redraw: () => void,
   ) {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
-    this.ratio = this.moving = this.finest();
+    this.ratio = this.moving = soft ? 1 : this.finest();
   }
 
   /** A picture begins; `fine`: it stands still. */
@@ -71,12 +73,17 @@ export class Pace {
       if (!done) return this.wait(began, counts);
       this.gl.deleteSync(this.fence);
       this.fence = null;
-      if (counts) this.note(performance.now() - began);
+      // The first pictures wait until shaders are made.
+      if (counts && this.drawn > 3) this.note(performance.now() - began);
     }, POLL_MS);
   }
 
   private finest(): number {
-    return Math.min(devicePixelRatio || 1, 2);
+    return this.soft ? 2 : Math.min(devicePixelRatio || 1, 2);
+  }
+
+  private finestMoving(): number {
+    return this.soft ? 1 : this.finest();
   }
 
   private use(ratio: number): void {
@@ -90,7 +97,7 @@ export class Pace {
     if (this.recent.length > 8) this.recent.shift();
     this.ms = this.recent.reduce((a, b) => a + b, 0) / this.recent.length;
     if (this.recent.length < 5) return;
-    const finest = this.finest();
+    const finest = this.finestMoving();
     if (this.ms > SLOW_MS && this.moving > COARSEST) {
       this.moving = Math.max(COARSEST, this.moving * 0.8);
       this.recent = [];

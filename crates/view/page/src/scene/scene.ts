@@ -77,7 +77,9 @@ class Scene implements SceneView {
     const { hello } = options;
     this.dark = options.dark;
     THREE.ColorManagement.enabled = false;
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+    // Without a graphics card smooth edges cost most of the time; there a picture that stands still is made finer.
+    const soft = drawnBySoftware();
+    this.renderer = new THREE.WebGLRenderer({ antialias: !soft, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.sortObjects = true;
     const canvas = this.renderer.domElement;
@@ -86,6 +88,7 @@ class Scene implements SceneView {
     host.append(canvas, this.overlay.canvas);
 
     this.shared = createShared(this.dark);
+    this.shared.uShadowFine.value = soft ? 0 : 1;
     const count = hello.vehicles.paths.length;
     this.frames = new Frames(count, hello.vehicles.radii_m);
     this.paint = new Paint(hello, count, (legend) => options.onLegend(legend));
@@ -105,6 +108,7 @@ class Scene implements SceneView {
 
     this.pace = new Pace(
       this.renderer,
+      soft,
       (ratio) => this.setRatio(ratio),
       () => this.changed(true),
     );
@@ -132,6 +136,7 @@ class Scene implements SceneView {
   show(a: Frame, b: Frame, f: number): void {
     const before = this.frames.a;
     const beforeB = this.frames.b;
+    if (before === a && beforeB === b && this.frames.f === f) return;
     this.frames.show(a, b, f);
     if (before !== a || beforeB !== b) {
       this.paintAll(b);
@@ -234,7 +239,9 @@ class Scene implements SceneView {
   }
 
   png(): Promise<Blob> {
+    const { clientWidth: w, clientHeight: h } = this.host;
     this.pace.begin(true);
+    this.overlay.resize(w, h, this.pace.ratio);
     this.draw(performance.now());
     this.pace.end();
     const from = this.renderer.domElement;
@@ -245,6 +252,8 @@ class Scene implements SceneView {
     // In the same task as it was drawn: afterwards the browser may have taken the picture away.
     c?.drawImage(from, 0, 0);
     c?.drawImage(this.overlay.canvas, 0, 0, canvas.width, canvas.height);
+    this.overlay.resize(w, h, Math.min(devicePixelRatio, 2));
+    this.changed(true);
     return new Promise((done, fail) => {
       canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("the browser made no picture"))), "image/png");
     });
@@ -312,14 +321,16 @@ class Scene implements SceneView {
     const content = this.reach + Math.hypot(...target);
     const far = Math.max(content * 3, distance * 14);
     this.orbit.reach = Math.max(far * 1.3, Math.min(hello.stage.radius_m, far * 4));
-    this.shared.uHazeRange.value.set(far * 0.35 + distance, far * 1.25 + distance);
-    this.shared.uClock.value = performance.now() / 1000;
     this.orbit.apply();
+    const near = distance + this.orbit.retreat;
+    this.shared.uHazeRange.value.set(far * 0.35 + near, far * 1.25 + near);
+    this.shared.uClock.value = performance.now() / 1000;
     this.ground.update(this.orbit, far * 1.6 + distance * 2);
     this.trails.update();
     if (this.layers.beams) this.beams.update();
     const { camera } = this.orbit;
     this.view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    this.shared.uSee.value.copy(this.view);
     this.renderer.render(this.scene, camera);
     this.overlay.draw({
       view: this.view.elements,
@@ -392,11 +403,9 @@ class Scene implements SceneView {
     this.reach = Math.max(this.reach, box.min.length(), box.max.length());
     // With the ground below, and with the world around, if that is not much larger than the swarm.
     const around = this.world.bounds;
-    const first = atOnce;
-    if (first && !around.isEmpty() && around.getSize(new THREE.Vector3()).length() < Math.max(size, radius * 20) * 8) {
-      points.push(...corners(around));
-    }
-    this.orbit.fit(points, Math.max(radius * 3, size * 0.04, 0.3), atOnce);
+    const wide = around.isEmpty() ? Infinity : around.getSize(new THREE.Vector3()).length();
+    if (atOnce && wide < Math.max(size, radius * 20) * 2) points.push(...corners(around));
+    this.orbit.fit(points, Math.max(radius * 3, size * 0.03, 0.3), atOnce);
     this.go();
   }
 
@@ -473,6 +482,16 @@ class Scene implements SceneView {
       this.options.onCamera(state);
     }, TELL_MS);
   }
+}
+
+/** Whether the browser has no graphics card to draw with. */
+function drawnBySoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return false;
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 function corners(box: THREE.Box3): Vec3[] {

@@ -10,7 +10,7 @@ const MOST_VEHICLES = 500;
 /** How long a trail is, virtual s; longer if the frames are far apart. */
 const SECONDS = 10;
 const LEAST_POINTS = 30;
-const CAPACITY = 40_000;
+const MOST_POINTS = 75;
 
 export class Trails {
   readonly lines: Lines;
@@ -32,8 +32,8 @@ export class Trails {
   ) {
     const n = frames.count;
     this.who = n <= MOST_VEHICLES ? Array.from({ length: n }, (_, i) => i) : [];
-    const width_px = n <= 50 ? 2.4 : n <= 150 ? 1.8 : 1.3;
-    this.lines = new Lines(Math.max(1, this.who.length ? CAPACITY : 1), frames, shared, { width_px, fade_s: SECONDS, order: 8 });
+    const width_px = n <= 50 ? 2.6 : n <= 150 ? 2 : 1.4;
+    this.lines = new Lines(Math.max(1, this.who.length * (MOST_POINTS + 2)), frames, shared, { width_px, fade_s: SECONDS, order: 8 });
     this.heads = new Lines(Math.max(1, this.who.length), frames, shared, { width_px, fade_s: SECONDS, order: 8 });
     this.own = new Lines(4000, frames, shared, { width_px: 3.4, fade_s: SECONDS, order: 9 });
     this.ownHead = new Lines(1, frames, shared, { width_px: 3.4, fade_s: SECONDS, order: 9 });
@@ -64,10 +64,7 @@ export class Trails {
     if (a.time === this.lastTime) return;
     const first = Number.isNaN(this.lastTime);
     if (!first) this.period = a.time - this.lastTime;
-    const seconds = this.seconds();
-    // As many points as the ring holds for all of them.
-    const least = this.who.length ? (seconds * this.who.length) / (this.lines.capacity * 0.95) : 0;
-    if (!first && this.period < least) return;
+    if (!first && this.period < this.seconds() / MOST_POINTS) return;
     this.lastTime = a.time;
     let start = -1;
     let added = 0;
@@ -128,7 +125,7 @@ export class Trails {
   }
 
   private rgba(i: number): number[] {
-    return [...this.colourOf(i), 190];
+    return [...this.colourOf(i), 215];
   }
 
   private pointOf(a: Frame, i: number): [number, number, number] | null {

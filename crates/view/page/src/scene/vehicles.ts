@@ -8,6 +8,8 @@ import { LIGHT, type Shared } from "./light";
 
 /** Above so many vehicles flyers are darts of few triangles. */
 const MANY = 2000;
+/** Up to so many have all their details. */
+const FEW = 250;
 /** Vehicles of a smaller radius are drawn as flyers, m. */
 const FLYER_RADIUS_M = 1;
 
@@ -23,15 +25,16 @@ varying float vAway;
 void main() {
   vec4 place = placeOf(vehicle);
   vec4 turn = turnOf(vehicle);
-  vec4 middle = projectionMatrix * viewMatrix * vec4(place.xyz, 1.0);
+  vec4 middle = uSee * vec4(place.xyz, 1.0);
   float pixel = 2.0 * middle.w / (projectionMatrix[1][1] * uViewport.y) * uViewport.z;
   float size = uRadius > 0.0 ? max(1.0, uLeast * pixel / uRadius) : max(place.w, uLeast * pixel);
   vec3 world = place.xyz + turned(turn, position) * size;
   vNormal2 = turned(turn, normal);
-  vColour = mix(pow(colourOf(vehicle).rgb, vec3(2.2)), pow(tint.rgb, vec3(2.2)), tint.a);
+  vColour = mix(colourOf(vehicle).rgb, tint.rgb, tint.a);
+  vColour *= vColour;
   vToEye = isOrthographic ? vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]) : cameraPosition - world;
   vAway = middle.w;
-  gl_Position = projectionMatrix * viewMatrix * vec4(world, 1.0);
+  gl_Position = uSee * vec4(world, 1.0);
 }
 `;
 
@@ -60,7 +63,7 @@ varying vec2 vAt;
 varying float vDark;
 void main() {
   vec4 place = placeOf(vehicle);
-  vec4 middle = projectionMatrix * viewMatrix * vec4(place.xy, 0.0, 1.0);
+  vec4 middle = uSee * vec4(place.xy, 0.0, 1.0);
   float pixel = 2.0 * middle.w / (projectionMatrix[1][1] * uViewport.y) * uViewport.z;
   float size = max(place.w, uLeast * pixel);
   float height = max(place.z, 0.0) / size;
@@ -68,7 +71,7 @@ void main() {
   float wide = size * (1.0 + min(height * 0.03, 1.0));
   vDark = 0.5 / (1.0 + height * 0.035);
   vAt = position.xy;
-  gl_Position = projectionMatrix * viewMatrix * vec4(place.xy + position.xy * wide * 1.15, 0.0, 1.0);
+  gl_Position = uSee * vec4(place.xy + position.xy * wide * 1.15, 0.0, 1.0);
   gl_Position.z -= 1e-5 * gl_Position.w;
   if (place.z < -size) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
@@ -113,7 +116,7 @@ export class Vehicles {
     for (const [key, who] of batches) {
       const [look, role] = key.split("|") as [string, string];
       const ghost = role === "ghost";
-      const body = look === "flyer" ? (many ? dart() : flyer()) : bodyOf(hello.looks[Number(look)]?.pieces ?? [], hello.forms, who.length < 200);
+      const body = look === "flyer" ? (many ? dart() : flyer(roles.length <= FEW)) : bodyOf(hello.looks[Number(look)]?.pieces ?? [], hello.forms, who.length < 200);
       if (!body) continue;
       body.computeBoundingSphere();
       const material = new THREE.ShaderMaterial({

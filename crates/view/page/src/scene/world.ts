@@ -21,6 +21,7 @@ attribute vec4 colour;
 attribute vec3 local, localNormal;
 #endif
 attribute vec4 tint;
+uniform mat4 uSee;
 varying vec4 vColour;
 varying vec3 vNormal2, vWorld, vLocal, vLocalNormal;
 varying float vAway;
@@ -40,9 +41,8 @@ void main() {
   #endif
   vColour = vec4(mix(colour.rgb, tint.rgb, tint.a), colour.a);
   vWorld = world.xyz;
-  vec4 view = viewMatrix * world;
-  vAway = isOrthographic ? 0.0 : length(view.xyz);
-  gl_Position = projectionMatrix * view;
+  gl_Position = uSee * world;
+  vAway = isOrthographic ? 0.0 : gl_Position.w;
 }
 `;
 
