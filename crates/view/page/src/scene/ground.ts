@@ -27,6 +27,7 @@ ${SHADOW}
 uniform vec3 uColour, uLine;
 uniform float uWorldTone, uGrid, uGridFade, uWorldRadius, uShowGrid;
 uniform sampler2D uNoise;
+uniform vec3 uViewport;
 varying vec2 vAt;
 varying float vAway;
 /** How much of a line of a grid so wide covers this pixel, which is \`w\` wide. */
@@ -38,7 +39,7 @@ float lines(vec2 w, float spacing, float px) {
 }
 void main() {
   vec3 base = uColour * (uWorldTone * (0.88 + 0.24 * texture2D(uNoise, vAt / 61.0).r));
-  vec2 w = max(fwidth(vAt), 1e-9);
+  vec2 w = max(fwidth(vAt), 1e-9) * uViewport.z;
   float r = length(vAt);
   // Beyond the edge of the world the ground pales.
   bool beyond = r > uWorldRadius;

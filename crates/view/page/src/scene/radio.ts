@@ -11,8 +11,9 @@ import { clamp } from "./math";
 const WEAK_DBM = -95;
 const STRONG_DBM = -45;
 const MOST_LINKS = 12_000;
-/** How long a pulse is under way, wall s. */
+/** How long a pulse is under way, wall s; the second where time runs slowly. */
 const PULSE_S = 0.35;
+const SLOW_PULSE_S = 1;
 const MOST_PULSES = 4096;
 /** Of one packet so many receivers are shown. */
 const MOST_RECEIVERS = 40;
@@ -28,29 +29,39 @@ export class Radio {
   readonly links: Lines;
   readonly pulses: Lines;
   private until = 0;
+  private dark = false;
+  private last: [Link[], number] = [[], 0];
 
   constructor(frames: Frames, shared: Shared) {
     this.links = new Lines(MOST_LINKS, frames, shared, { width_px: 1.5, order: 12 });
-    this.pulses = new Lines(MOST_PULSES, frames, shared, { width_px: 3.2, pulse: true, order: 14 });
+    this.pulses = new Lines(MOST_PULSES, frames, shared, { width_px: 4, pulse: true, order: 14 });
+  }
+
+  setDark(dark: boolean): void {
+    this.dark = dark;
+    this.setLinks(...this.last);
   }
 
   setLinks(list: Link[], count: number): void {
+    this.last = [list, count];
+    const scale = this.dark ? SCALES.signalDark : SCALES.signal;
     this.links.clear();
     const whole = list.filter(([a, b]) => a < count && b < count && a >= 0 && b >= 0);
     // The strongest, if there are too many; and the more there are, the fainter each.
     const shown = whole.length > MOST_LINKS ? [...whole].sort((a, b) => b[2] - a[2]).slice(0, MOST_LINKS) : whole;
-    const crowd = clamp(1.15 - 0.16 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
+    const crowd = clamp(1.2 - 0.15 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
     for (const [from, to, rssi, share] of shown) {
       const s = strength(rssi);
       const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(share, 0, 1)) * crowd;
-      this.links.add(from, to, [...sample(SCALES.signal, s), Math.round(255 * opacity)]);
+      this.links.add(from, to, [...sample(scale, s), Math.round(255 * opacity)]);
     }
     this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);
     this.links.flush();
   }
 
   /** `now`: wall s. */
-  addPackets(list: Packet[], count: number, now: number): void {
+  addPackets(list: Packet[], count: number, now: number, speed: number): void {
+    const lasts = speed > 0 ? clamp(PULSE_S / speed, PULSE_S, SLOW_PULSE_S) : SLOW_PULSE_S;
     let left = MOST_AT_ONCE;
     const each = Math.max(1, Math.min(MOST_RECEIVERS, Math.floor(left / Math.max(list.length, 1))));
     let first = -1;
@@ -62,7 +73,7 @@ export class Radio {
         const [to, rssi] = packet.to[i]!;
         if (to >= count) continue;
         const s = strength(rssi);
-        const slot = this.pulses.add(packet.from, to, [...sample(SCALES.signal, s), 255], now, PULSE_S);
+        const slot = this.pulses.add(packet.from, to, [...sample(this.dark ? SCALES.signalDark : SCALES.signal, s), 255], now, lasts);
         if (first < 0) first = slot;
         added++;
         left--;
@@ -70,7 +81,7 @@ export class Radio {
     }
     if (added > 0) {
       this.pulses.flush(first, added);
-      this.until = now + PULSE_S;
+      this.until = Math.max(this.until, now + lasts);
     }
   }
 

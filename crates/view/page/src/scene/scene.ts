@@ -160,6 +160,7 @@ class Scene implements SceneView {
     this.ground.setDark(dark);
     this.vehicles.setDark(dark);
     this.wind.setDark(dark);
+    this.radio.setDark(dark);
     this.overlay.dark = dark;
     this.dropLine();
     this.changed();
@@ -228,8 +229,7 @@ class Scene implements SceneView {
 
   addPackets(list: Packet[], speed: number): void {
     if (!this.layers.packets || list.length === 0) return;
-    void speed;
-    this.radio.addPackets(list, this.frames.count, performance.now() / 1000);
+    this.radio.addPackets(list, this.frames.count, performance.now() / 1000, speed);
     this.changed();
   }
 
@@ -404,7 +404,7 @@ class Scene implements SceneView {
     // With the ground below, and with the world around, if that is not much larger than the swarm.
     const around = this.world.bounds;
     const wide = around.isEmpty() ? Infinity : around.getSize(new THREE.Vector3()).length();
-    if (atOnce && wide < Math.max(size, radius * 20) * 2) points.push(...corners(around));
+    if (atOnce && wide < Math.max(size, radius * 20) * 1.4) points.push(...corners(around));
     this.orbit.fit(points, Math.max(radius * 3, size * 0.03, 0.3), atOnce);
     this.go();
   }

@@ -9,8 +9,8 @@ const MOST = 4000;
 
 /** An arrow along x from 0 to 1. */
 function arrow(): THREE.BufferGeometry {
-  const shaft = new THREE.CylinderGeometry(0.022, 0.022, 0.74, 6).rotateZ(-Math.PI / 2).translate(0.37, 0, 0).toNonIndexed();
-  const tip = new THREE.ConeGeometry(0.085, 0.28, 10).rotateZ(-Math.PI / 2).translate(0.86, 0, 0).toNonIndexed();
+  const shaft = new THREE.CylinderGeometry(0.017, 0.017, 0.76, 6).rotateZ(-Math.PI / 2).translate(0.38, 0, 0).toNonIndexed();
+  const tip = new THREE.ConeGeometry(0.065, 0.24, 10).rotateZ(-Math.PI / 2).translate(0.88, 0, 0).toNonIndexed();
   const g = new THREE.BufferGeometry();
   for (const name of ["position", "normal"]) {
     const [a, b] = [shaft.getAttribute(name), tip.getAttribute(name)];
@@ -37,7 +37,7 @@ export class Wind {
         varying vec3 vNormal2;
         void main() {
           vec3 n = normalize(vNormal2);
-          gl_FragColor = vec4(toSrgb(uColour * (0.75 + 0.4 * n.z)), 0.8);
+          gl_FragColor = vec4(toSrgb(uColour * (0.75 + 0.4 * n.z)), 0.72);
         }`,
       transparent: true,
     });
@@ -61,7 +61,7 @@ export class Wind {
       const v: Vec3 = [a[3]!, a[4]!, a[5]!];
       const speed = length(v);
       if (!(speed > fastest * 0.01)) continue;
-      const l = apart * 0.85 * Math.sqrt(speed / fastest);
+      const l = apart * 0.62 * Math.sqrt(speed / fastest);
       const [w, x, y, z] = fromX(v);
       const m = new THREE.Matrix4().compose(new THREE.Vector3(a[0]!, a[1]!, a[2]!), new THREE.Quaternion(x, y, z, w), new THREE.Vector3(l, l, l));
       this.mesh.setMatrixAt(n++, m);
