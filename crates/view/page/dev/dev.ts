@@ -35,8 +35,28 @@ function person(x: number, y: number, color: string): Prop {
     piece({ box: [((r! - l!) / 2) * w, 0.13, ((t! - b!) / 2) * h] }, [x + ((l! + r!) / 2 - 6.5) * w, y, ((b! + t!) / 2) * h])));
 }
 
+function hills(): Prop {
+  const [cells, step] = [80, 1];
+  const points: number[] = [];
+  const triangles: number[] = [];
+  for (let j = 0; j <= cells; j++) {
+    for (let i = 0; i <= cells; i++) {
+      const [x, y] = [(i - cells / 2) * step, (j - cells / 2) * step];
+      points.push(x, y, 1.5 * Math.sin(x / 7) * Math.cos(y / 9) + 3 * Math.exp(-((x - 12) ** 2 + (y - 10) ** 2) / 90) - 2);
+    }
+  }
+  for (let j = 0; j < cells; j++) {
+    for (let i = 0; i < cells; i++) {
+      const a = j * (cells + 1) + i;
+      triangles.push(a, a + 1, a + cells + 2, a, a + cells + 2, a + cells + 1);
+    }
+  }
+  return prop("terrain", "hills", "#6f8f5a", "grass", piece({ mesh: { points, triangles } }, [0, 0, 0]));
+}
+
 function props(): Prop[] {
   if (worldName === "none") return [];
+  if (worldName === "hills") return [hills()];
   const list: Prop[] = [];
   const stem = form({ cylinder: [0.01, 0.01, 0.1] });
   const head = form({ cylinder: [0.1, 0.1, 0.01] });
@@ -94,7 +114,7 @@ const hello: Hello = {
     radii_m: who.map((i) => (i < 2 ? 0.5 : 0.06)), colors: who.map(() => "#f0b21e"), looks: who.map((i) => (i === 0 ? 1 : i === 1 ? 2 : 0)),
   },
   looks, forms,
-  stage: { ground: "#7da36a", plane: true, radius_m: Number(ask.get("radius") ?? 500), props: stageProps },
+  stage: { ground: "#7da36a", plane: worldName !== "hills", radius_m: Number(ask.get("radius") ?? 500), props: stageProps },
 };
 
 const phase = who.map(() => [random() * 6.28, random() * 6.28, random(), random(), 0.3 + random() * 0.7, random() * 6.28]);

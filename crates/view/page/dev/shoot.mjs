@@ -77,6 +77,7 @@ const shots = [
   ["wide", "?n=300&extent=250&world=none", null],
   ["town", "?n=300&extent=200&world=town", null],
   ["flowers", "?n=100&flowers=100000", null],
+  ["hills", "?n=60&world=hills", null],
   ["packets", "?n=100", () => {
     // Half-way between sender and receivers, however long the picture takes.
     const now = performance.now();

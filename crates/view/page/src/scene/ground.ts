@@ -8,6 +8,24 @@ import type { Orbit } from "./camera";
 import { colourOf, linear } from "./colours";
 import { LIGHT, SHADOW, type Shared } from "./light";
 
+/** Metric lines; on terrain too. */
+export const GRID = /* glsl */ `
+uniform vec3 uLine, uViewport;
+uniform float uGrid, uGridFade, uShowGrid;
+/** How much of a line of a grid so wide covers this pixel, which is \`w\` wide. */
+float lines(vec2 at, vec2 w, float spacing, float px) {
+  vec2 d = abs(fract(at / spacing - 0.5) - 0.5) * spacing / w;
+  vec2 l = clamp(px + 0.5 - d, 0.0, 1.0) * clamp(1.4 - w / spacing * 3.5, 0.0, 1.0);
+  return max(l.x, l.y);
+}
+float gridAt(vec2 at, vec2 w) {
+  float fine = lines(at, w, uGrid, 0.5) * uGridFade * 0.18;
+  float middle = lines(at, w, uGrid * 10.0, 0.6) * mix(0.22, 0.36, uGridFade);
+  float wide = lines(at, w, uGrid * 100.0, 0.9) * 0.42;
+  return max(max(fine, middle), wide);
+}
+`;
+
 const GROUND_VERTEX = /* glsl */ `
 uniform vec3 uCentre;
 uniform mat4 uSee;
@@ -24,19 +42,12 @@ void main() {
 const GROUND_FRAGMENT = /* glsl */ `
 ${LIGHT}
 ${SHADOW}
-uniform vec3 uColour, uLine;
-uniform float uWorldTone, uGrid, uGridFade, uWorldRadius, uShowGrid;
+uniform vec3 uColour;
+uniform float uWorldTone, uWorldRadius;
 uniform sampler2D uNoise;
-uniform vec3 uViewport;
 varying vec2 vAt;
 varying float vAway;
-/** How much of a line of a grid so wide covers this pixel, which is \`w\` wide. */
-float lines(vec2 w, float spacing, float px) {
-  vec2 p = vAt / spacing;
-  vec2 d = abs(fract(p - 0.5) - 0.5) * spacing / w;
-  vec2 l = clamp(px + 0.5 - d, 0.0, 1.0) * clamp(1.4 - w / spacing * 3.5, 0.0, 1.0);
-  return max(l.x, l.y);
-}
+${GRID}
 void main() {
   vec3 base = uColour * (uWorldTone * (0.88 + 0.24 * texture2D(uNoise, vAt / 61.0).r));
   vec2 w = max(fwidth(vAt), 1e-9) * uViewport.z;
@@ -46,10 +57,7 @@ void main() {
   if (beyond) base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) * 0.75), 0.6);
   vec3 colour = lit(base, vec3(0.0, 0.0, 1.0), sunAt(vec3(vAt, 0.0)));
   if (uShowGrid > 0.0) {
-    float fine = lines(w, uGrid, 0.5) * uGridFade * 0.18;
-    float middle = lines(w, uGrid * 10.0, 0.6) * mix(0.22, 0.36, uGridFade);
-    float wide = lines(w, uGrid * 100.0, 0.9) * 0.42;
-    float line = max(max(fine, middle), wide);
+    float line = gridAt(vAt, w);
     colour = mix(colour, uLine, beyond ? line * 0.4 : line);
     vec2 axis = clamp(1.4 - abs(vAt.yx) / w.yx, 0.0, 1.0) * 0.55;
     colour = mix(colour, vec3(0.75, 0.16, 0.1), axis.x);
@@ -129,7 +137,8 @@ function noise(): THREE.DataTexture {
 
 export class Ground {
   readonly group = new THREE.Group();
-  private uniforms;
+  /** Also those of `GRID`. */
+  readonly uniforms;
   private noise = noise();
   private ground: THREE.Mesh;
 

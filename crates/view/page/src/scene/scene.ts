@@ -93,8 +93,8 @@ class Scene implements SceneView {
     this.frames = new Frames(count, hello.vehicles.radii_m);
     this.paint = new Paint(hello, count, (legend) => options.onLegend(legend));
     this.textures = new Textures(() => this.changed());
-    this.world = new World(hello, this.shared, this.textures);
     this.ground = new Ground(hello.stage.ground, hello.stage.plane, hello.stage.radius_m, this.shared);
+    this.world = new World(hello, this.shared, this.textures, this.ground.uniforms);
     this.vehicles = new Vehicles(hello, this.frames, this.shared);
     this.trails = new Trails(this.frames, this.shared, (i) => this.paint.colour(i));
     this.radio = new Radio(this.frames, this.shared);

@@ -7,6 +7,7 @@ import * as THREE from "three";
 import type { Form, Hello, Piece, Prop } from "../wire";
 import { colourOf } from "./colours";
 import { bloom, matrixOf, meshOf, outlineOf, stem } from "./forms";
+import { GRID } from "./ground";
 import { LIGHT, SHADOW, type Shared } from "./light";
 import type { Textures } from "./textures";
 
@@ -49,6 +50,9 @@ void main() {
 const FRAGMENT = /* glsl */ `
 ${LIGHT}
 ${SHADOW}
+#ifdef TERRAIN
+${GRID}
+#endif
 uniform float uWorldTone, uTile, uReady;
 uniform sampler2D uTexture;
 varying vec4 vColour;
@@ -66,15 +70,19 @@ void main() {
   float low = min(vColour.r, min(vColour.g, vColour.b));
   float dyed = smoothstep(0.08, 0.3, high > 0.0 ? (high - low) / high : 0.0);
   vec3 natural = fromSrgb(picture);
-  base = mix(base, mix(natural, base * dot(picture, vec3(0.5, 0.9, 0.4)), dyed), uReady);
+  base = mix(base, mix(natural, base * dot(picture, vec3(0.65, 1.2, 0.5)), dyed), uReady);
   #endif
   #ifdef BOTH_SIDES
   if (!gl_FrontFacing) n = -n;
   #endif
   float sun = sunAt(vWorld + n * 0.02);
   vec3 colour = lit(base * uWorldTone, n, sun);
+  #ifdef TERRAIN
+  colour = mix(colour, uLine, gridAt(vWorld.xy, max(fwidth(vWorld.xy), 1e-9) * uViewport.z) * uShowGrid);
+  #else
   // Less sky is seen close to the ground.
   colour *= 0.82 + 0.18 * smoothstep(0.0, 0.5, vWorld.z);
+  #endif
   gl_FragColor = vec4(toSrgb(hazed(colour, vAway)), vColour.a);
 }
 `;
@@ -90,6 +98,7 @@ interface Batch {
   texture: string;
   clear: boolean;
   both: boolean;
+  terrain: boolean;
   make(): THREE.BufferGeometry;
   items: Item[];
 }
@@ -114,6 +123,8 @@ export class World {
     hello: Hello,
     private shared: Shared,
     private textures: Textures,
+    /** Those of `GRID`, for terrain. */
+    private grid: Record<string, THREE.IUniform>,
   ) {
     this.props = hello.stage.props;
     const batches = this.sort(hello.stage.props, hello.forms);
@@ -123,7 +134,7 @@ export class World {
       this.noteTargets(batch, geometry);
       if (batch.items.length >= FEW) this.addMany(batch, geometry);
       else {
-        const key = `${batch.texture}|${batch.clear}|${batch.both}`;
+        const key = `${batch.texture}|${batch.clear}|${batch.both}|${batch.terrain}`;
         const list = together.get(key);
         if (list) list.push({ batch, geometry });
         else together.set(key, [{ batch, geometry }]);
@@ -167,9 +178,9 @@ export class World {
         } else if (prop.kind === "terrain" && "mesh" in form) {
           make = () => meshOf(form.mesh.points, form.mesh.triangles, true);
         }
-        key += `|${prop.texture}|${clear}`;
+        key += `|${prop.texture}|${clear}|${prop.kind === "terrain"}`;
         let batch = batches.get(key);
-        if (!batch) batches.set(key, (batch = { texture: prop.texture, clear, both, make, items: [] }));
+        if (!batch) batches.set(key, (batch = { texture: prop.texture, clear, both, terrain: prop.kind === "terrain", make, items: [] }));
         batch.items.push({ prop: number, matrix, colour: vary(colour, prop, number) });
       });
     });
@@ -256,9 +267,10 @@ export class World {
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      defines: { ...(many && { MANY: 1 }), ...(texture && { TEXTURED: 1 }), ...(batch.both && { BOTH_SIDES: 1 }) },
+      defines: { ...(many && { MANY: 1 }), ...(texture && { TEXTURED: 1 }), ...(batch.both && { BOTH_SIDES: 1 }), ...(batch.terrain && { TERRAIN: 1 }) },
       uniforms: {
         ...this.shared,
+        ...(batch.terrain && this.grid),
         uTexture: { value: texture?.texture ?? null },
         uReady: texture?.ready ?? { value: 0 },
         uTile: { value: texture?.tile_m ?? 1 },
