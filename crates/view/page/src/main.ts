@@ -48,6 +48,7 @@ Object.assign(window, {
     stats: () => page?.stats(),
     time_s: () => run?.time.value,
     frame: () => run?.player.frame,
+    vehicle: (path: string) => run?.number(path),
   },
 });
 

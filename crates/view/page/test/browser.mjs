@@ -1,0 +1,127 @@
+// A program and a browser for the tests: the real ones. SIMBEEOTIC and CHROMIUM say where they are.
+import { chromium } from "playwright-core";
+import { spawn } from "node:child_process";
+import { existsSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../../../../", import.meta.url));
+export const program = process.env.SIMBEEOTIC ?? `${root}target/debug/simbeeotic`;
+export const scenario = (name) => `${root}scenarios/${name}.toml`;
+export const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+/** For whatever is waited for: this machine may be slow, busy, and without a graphics card. */
+export const PATIENCE_MS = 60_000;
+
+const chromiumPath =
+  process.env.CHROMIUM ??
+  ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find((path) => existsSync(path));
+
+export async function launch() {
+  return chromium.launch({
+    executablePath: chromiumPath,
+    timeout: PATIENCE_MS,
+    args: [
+      "--no-sandbox",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+      "--use-gl=angle",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--force-color-profile=srgb",
+    ],
+  });
+}
+
+/** Starts the program with a page on a free port; its `url` is what it printed. */
+export async function serve(...args) {
+  const port = args.includes("--port") ? [] : ["--port", "0"];
+  const child = spawn(program, [...args, ...port], { stdio: ["ignore", "pipe", "pipe"] });
+  let said = "";
+  const url = await new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error(`no address within ${PATIENCE_MS} ms:\n${said}`)), PATIENCE_MS);
+    const hear = (bytes) => {
+      said += bytes;
+      const found = /https?:\/\/[^\s"']+/.exec(said);
+      if (found && said.includes("\n", found.index)) {
+        clearTimeout(timer);
+        resolve(found[0]);
+      }
+    };
+    child.stdout.on("data", hear);
+    child.stderr.on("data", hear);
+    child.on("error", reject);
+    child.on("exit", (code) => reject(new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`)));
+  });
+  const exited = new Promise((resolve) => child.on("exit", resolve));
+  return {
+    url,
+    said: () => said,
+    exited,
+    async kill() {
+      if (child.exitCode === null && child.signalCode === null) child.kill("SIGKILL");
+      await exited;
+    },
+  };
+}
+
+/** Runs the program to its end. */
+export async function execute(...args) {
+  const child = spawn(program, args, { stdio: ["ignore", "ignore", "pipe"] });
+  let said = "";
+  child.stderr.on("data", (bytes) => (said += bytes));
+  const code = await new Promise((resolve, reject) => {
+    child.on("error", reject);
+    child.on("exit", resolve);
+  });
+  if (code !== 0) throw new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`);
+}
+
+/** A tab with the page, drawn at least once. What goes wrong in it is in `faults`. */
+export async function open(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, reducedMotion: "reduce", acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE_MS);
+  page.faults = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type()) && !unavoidable(message.text())) page.faults.push(message.text());
+  });
+  page.on("pageerror", (error) => page.faults.push(String(error.stack ?? error)));
+  await page.goto(url);
+  await drawn(page);
+  return page;
+}
+
+/** Drawing without a graphics card is slow, and the browser says so; that is no fault of the page. */
+function unavoidable(text) {
+  return /GPU stall due to ReadPixels|GL Driver Message|software WebGL|swiftshader/i.test(text);
+}
+
+export async function drawn(page, more = 1) {
+  await page.waitForFunction((count) => (window.simbeeotic?.stats()?.drawn ?? 0) >= count, more, { timeout: PATIENCE_MS });
+}
+
+export const time = (page) => page.evaluate(() => window.simbeeotic.time_s());
+export const place = (page) => page.evaluate(() => window.simbeeotic.place());
+
+/** Waits until `holds` (in the page, with `argument`) is true. */
+export async function until(page, holds, argument) {
+  await page.waitForFunction(holds, argument, { timeout: PATIENCE_MS });
+}
+
+/** Waits until the time stands: what was under way has arrived. */
+export async function still(page) {
+  const stands = () => {
+    const now = window.simbeeotic.time_s();
+    const same = window.seen === now;
+    window.seen = now;
+    return same;
+  };
+  await page.waitForFunction(stands, null, { timeout: PATIENCE_MS, polling: 500 });
+}
+
+export async function untilTime(page, least_s) {
+  await until(page, (t) => window.simbeeotic.time_s() >= t, least_s);
+}

@@ -1,0 +1,164 @@
+// A live run in a real browser: it moves, stops, steps and changes its pace when the page says so.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, open, place, scenario, serve, still, time, until, untilTime } from "./browser.mjs";
+
+let browser, run, page;
+
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  await run?.kill();
+});
+
+const state = (word) => until(page, (word) => document.getElementById("run-state").textContent === word, word);
+
+test("a run started paused waits, says so, and starts when it is told to", async () => {
+  run = await serve("run", scenario("first-swarm"), "--view", "--paused", "--no-record");
+  page = await open(browser, run.url);
+  await page.locator("#waiting").waitFor();
+  await state("live, paused");
+  assert.equal(await page.title(), "first-swarm · live · Simbeeotic");
+  assert.equal(await time(page), 0);
+  await page.keyboard.press("Space");
+  await page.locator("#waiting").waitFor({ state: "hidden" });
+  await state("live");
+});
+
+test("time moves, and so do the vehicles", async () => {
+  const at = () => page.evaluate(() => [...window.simbeeotic.frame().positions.slice(0, 300)]);
+  const t = await time(page);
+  const before = await at();
+  await untilTime(page, t + 0.5);
+  const after = await at();
+  assert.ok(before.some((x, k) => Math.abs(x - after[k]) > 0.01));
+  assert.equal(await page.textContent("#vehicle-count"), "101 vehicles");
+});
+
+test("pause stops it, resume lets it go on", async () => {
+  await page.click("#pause");
+  await state("live, paused");
+  await still(page);
+  const t = await time(page);
+  await page.click("#pause");
+  await state("live");
+  await untilTime(page, t + 0.1);
+});
+
+test("a step goes 0.1 s, or to the next instant", async () => {
+  await page.keyboard.press("Space");
+  await state("live, paused");
+  await still(page);
+  const before = await time(page);
+  await page.click("#step-tenth");
+  await untilTime(page, before + 0.0999);
+  const tenth = await time(page);
+  assert.ok(Math.abs(tenth - before - 0.1) < 1e-6, `${before} to ${tenth}`);
+  await page.keyboard.press(".");
+  await until(page, (t) => window.simbeeotic.time_s() > t, tenth);
+  assert.ok((await time(page)) < tenth + 0.1);
+  await state("live, paused");
+});
+
+test("the pace is set by buttons and keys", async () => {
+  const pace = (text) => until(page, (text) => document.getElementById("pace").textContent === text, text);
+  await pace("1 ×");
+  await page.click("#faster");
+  await pace("2 ×");
+  await page.keyboard.press("-");
+  await pace("1 ×");
+  await page.keyboard.press("-");
+  await pace("0.5 ×");
+  await page.click("#max-pace");
+  await pace("max");
+  await page.click("#real-time");
+  await pace("1 ×");
+});
+
+test("a vehicle is found by its name, and told about", async () => {
+  await page.keyboard.press("/");
+  await page.keyboard.type("bee-17");
+  await page.keyboard.press("Enter");
+  await page.locator("#inspector").waitFor();
+  assert.equal(await page.textContent("#selected-name"), "bee-17");
+  assert.match(await page.textContent("#selected-kind"), /bee/);
+  await until(page, () => /[0-9]/.test(document.getElementById("now-x")?.textContent ?? ""));
+  await page.locator("#sensors").getByText("compass").first().waitFor();
+  await page.locator("#parameters").getByText("max_speed").first().waitFor();
+});
+
+test("the camera goes with the vehicle that is followed, and stays when it is let go", async () => {
+  assert.equal(await page.getAttribute("#follow", "aria-pressed"), "false");
+  await page.keyboard.press("f");
+  await until(page, () => document.getElementById("follow").getAttribute("aria-pressed") === "true");
+  await page.keyboard.press("Space");
+  await untilTime(page, (await time(page)) + 1);
+  await page.keyboard.press("Space");
+  await still(page);
+  await until(page, () => {
+    const { frame, place, vehicle } = window.simbeeotic;
+    const at = 3 * vehicle("bee-17");
+    const bee = [...frame().positions.slice(at, at + 3)];
+    const { camera } = place();
+    return Math.hypot(...bee.map((x, k) => x - camera.at[k])) < 0.1;
+  });
+  await page.keyboard.press("f");
+  await until(page, () => document.getElementById("follow").getAttribute("aria-pressed") === "false");
+});
+
+test("a click on a vehicle selects it", async () => {
+  await page.keyboard.press("f");
+  // From above, what is followed comes to be in the middle.
+  await page.keyboard.press("t");
+  await until(page, () => {
+    const { camera } = window.simbeeotic.place();
+    const same = JSON.stringify(camera) === window.camera && camera.flat;
+    window.camera = JSON.stringify(camera);
+    return same;
+  });
+  await page.keyboard.press("Escape");
+  await until(page, () => window.simbeeotic.place().select === undefined);
+  const box = await page.locator("#scene canvas").first().boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await until(page, () => window.simbeeotic.place().select !== undefined);
+  assert.equal((await place(page)).select, "bee-17");
+});
+
+test("charts have data", async () => {
+  const chart = page.locator('.chart[data-series="speed"]');
+  await chart.waitFor();
+  await until(page, () => /[0-9]/.test(document.querySelector('.chart[data-series="speed"] output').textContent));
+  const inked = await chart.locator("canvas").evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return data.some((value, at) => at % 4 === 3 && value > 0);
+  });
+  assert.ok(inked);
+  const count = await page.locator(".chart").count();
+  await page.selectOption("#add-chart", { index: 1 });
+  await until(page, (count) => document.querySelectorAll(".chart").length === count + 1, count);
+});
+
+test("all went without an error on the console", () => {
+  assert.deepEqual(page.faults, []);
+});
+
+test("a second page sees the same run", async () => {
+  const other = await open(browser, run.url, { viewport: { width: 480, height: 800 } });
+  assert.ok((await time(other)) >= 0);
+  await other.context().close();
+});
+
+test("when the program is gone the page says so, and comes back with the next one", async () => {
+  await run.kill();
+  const lost = page.locator("#lost");
+  await lost.waitFor();
+  assert.match(await lost.textContent(), /The program is gone/);
+  const { port } = new URL(run.url);
+  run = await serve("run", scenario("first-swarm"), "--view", "--paused", "--no-record", "--port", port);
+  await lost.waitFor({ state: "hidden" });
+  await page.locator("#waiting").waitFor();
+  assert.equal(await time(page), 0);
+  assert.equal((await place(page)).select, "bee-17", "the page looks at what it looked at before");
+});

@@ -1,0 +1,232 @@
+// A recording in a real browser: played, scrubbed, stepped, linked to, drawn.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { compare } from "./pictures.mjs";
+import { drawn, execute, launch, open, place, scenario, serve, time, until, untilTime } from "./browser.mjs";
+
+let browser, folder, run, page;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "simbeeotic-replay-"));
+  const recording = join(folder, "meadow.mcap");
+  await execute("run", scenario("meadow"), "--end-time", "20 s", "--record", recording, "--quiet");
+  [browser, run] = await Promise.all([launch(), serve("view", recording)]);
+});
+after(async () => {
+  await browser?.close();
+  await run?.kill();
+  if (folder) rmSync(folder, { recursive: true, force: true });
+});
+
+const near = (t) => until(page, (t) => Math.abs(window.simbeeotic.time_s() - t) < 1e-6, t);
+const state = (word) => until(page, (word) => document.getElementById("run-state").textContent === word, word);
+
+test("a recording opens at its beginning, and stands", async () => {
+  page = await open(browser, run.url);
+  assert.equal(await page.title(), "meadow · replay · Simbeeotic");
+  await state("replay, paused");
+  assert.equal(await time(page), 0);
+});
+
+test("playing moves the time and the vehicles, and stops when it is told to", async () => {
+  const before = await page.evaluate(() => [...window.simbeeotic.frame().positions]);
+  await page.click("#play");
+  await state("replay");
+  await untilTime(page, 1);
+  const after = await page.evaluate(() => [...window.simbeeotic.frame().positions]);
+  assert.ok(before.some((x, k) => Math.abs(x - after[k]) > 0.05));
+  await page.keyboard.press("Space");
+  await state("replay, paused");
+});
+
+test("scrubbing shows the time under the pointer", async () => {
+  const box = await page.locator("#timeline").boundingBox();
+  const y = box.y + box.height / 2;
+  await page.mouse.move(box.x + 10, y);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.25, y, { steps: 3 });
+  await page.mouse.move(box.x + box.width * 0.75, y, { steps: 3 });
+  await until(page, () => Math.abs(window.simbeeotic.time_s() - 15) < 0.6);
+  await page.mouse.up();
+  await until(page, () => Math.abs(window.simbeeotic.frame().time - window.simbeeotic.time_s()) <= 0.2 + 1e-9);
+  await state("replay, paused");
+});
+
+test("steps go from tick to tick, keys to both ends", async () => {
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.click("#tick-on");
+  await near(0.2);
+  await page.keyboard.press(".");
+  await near(0.4);
+  await page.keyboard.press(",");
+  await near(0.2);
+  await page.keyboard.press("End");
+  await near(20);
+});
+
+test("speed is chosen by buttons and keys, and a fast replay reaches the end", async () => {
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.click("#faster");
+  await page.keyboard.press("+");
+  await page.keyboard.press("+");
+  assert.equal(await page.textContent("#speed"), "10 ×");
+  await page.keyboard.press("Space");
+  await near(20);
+  await state("replay, paused");
+  await page.keyboard.press("0");
+  assert.equal(await page.textContent("#speed"), "1 ×");
+});
+
+test("jumps go to the marks", async () => {
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.click("#next-mark");
+  await until(page, () => window.simbeeotic.time_s() > 0);
+  const first = await time(page);
+  await page.keyboard.press("]");
+  await until(page, (t) => window.simbeeotic.time_s() > t, first);
+  await page.click("#previous-mark");
+  await near(first);
+  await page.keyboard.press("m");
+  const row = page.locator("#panel-marks .row").nth(4);
+  await row.waitFor();
+  await row.click();
+  await until(page, (t) => window.simbeeotic.time_s() > t, first);
+  await until(page, () => window.simbeeotic.place().select !== undefined);
+  await page.keyboard.press("v");
+});
+
+test("the selected vehicle is told about at the time that is shown", async () => {
+  await page.keyboard.press("/");
+  await page.keyboard.type("scout-3");
+  await page.keyboard.press("Enter");
+  await page.locator("#sensors").getByText("ring").first().waitFor();
+  await page.locator("#parameters").getByText("max_range").first().waitFor({ state: "attached" });
+  const x = await page.textContent("#now-x");
+  await page.keyboard.press("Home");
+  await until(page, (x) => document.getElementById("now-x").textContent !== x, x);
+});
+
+test("a click on a chart goes to that time", async () => {
+  const over = page.locator(".chart .u-over").first();
+  await over.waitFor();
+  const box = await over.boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await until(page, () => Math.abs(window.simbeeotic.time_s() - 10) < 0.5);
+});
+
+test("a link restores the view in another tab", async () => {
+  await page.keyboard.press("e");
+  await page.keyboard.press("1");
+  await page.keyboard.press("f");
+  await page.selectOption("#colour-by", "speed");
+  await page.keyboard.press("d");
+  await page.click("#copy-link");
+  await until(page, () => location.hash.length > 1);
+  const link = page.url();
+  const here = await place(page);
+  assert.ok(here.layers.labels && here.follow && here.camera.flat !== undefined);
+  const other = await open(browser, link);
+  await until(other, (t) => Math.abs(window.simbeeotic.time_s() - t) < 1e-6, here.t_s);
+  const there = await place(other);
+  for (const part of ["t_s", "select", "follow", "layers", "colour", "theme"]) assert.deepEqual(there[part], here[part], part);
+  here.camera.from.forEach((x, k) => assert.ok(Math.abs(x - there.camera.from[k]) < 0.1, `camera ${x} ${there.camera.from[k]}`));
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
+});
+
+test("the theme goes from auto to light to dark, and colours follow", async () => {
+  const ground = () => page.evaluate(() => getComputedStyle(document.querySelector(".bar")).backgroundColor);
+  await until(page, () => document.documentElement.dataset.theme === "light");
+  const light = await ground();
+  await page.click("#theme");
+  await until(page, () => document.documentElement.dataset.theme === "dark");
+  assert.notEqual(await ground(), light);
+  await page.click("#theme");
+  assert.equal((await place(page)).theme, "auto");
+});
+
+test("layers are switched by boxes and keys", async () => {
+  const on = async () => (await place(page)).layers.trails;
+  const before = await on();
+  await page.click("#layer-trails");
+  assert.equal(await on(), !before);
+  await page.keyboard.press("2");
+  assert.equal(await on(), before);
+});
+
+test("the help sheet shows the keys, and goes again", async () => {
+  await page.keyboard.press("?");
+  const help = page.locator("#help");
+  await help.waitFor();
+  assert.match(await help.textContent(), /next mark/);
+  await page.keyboard.press("Escape");
+  await help.waitFor({ state: "hidden" });
+  await page.click("#help-button");
+  await help.waitFor();
+  await page.keyboard.press("Escape");
+});
+
+test("a picture is saved as PNG", async () => {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-picture")]);
+  assert.match(download.suggestedFilename(), /^meadow-[0-9.]+s\.png$/);
+  const bytes = readFileSync(await download.path());
+  assert.deepEqual([...bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+  assert.ok(bytes.length > 2000, String(bytes.length));
+});
+
+test("buttons and boxes have names that can be read out", async () => {
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("button, input, select, [role=slider]")]
+      .filter((it) => !(it.getAttribute("aria-label") || it.textContent.trim() || it.closest("label")?.textContent.trim()))
+      .map((it) => it.outerHTML.slice(0, 120)),
+  );
+  assert.deepEqual(nameless, []);
+});
+
+test("text stands out from its ground in both themes", async () => {
+  for (const theme of ["light", "dark"]) {
+    const pairs = await page.evaluate((theme) => {
+      const root = document.documentElement;
+      const before = root.dataset.theme;
+      root.dataset.theme = theme;
+      const probe = document.body.appendChild(document.createElement("i"));
+      const rgb = (name) => {
+        probe.style.color = `var(${name})`;
+        return getComputedStyle(probe).color.match(/[\d.]+/g).slice(0, 3).map(Number);
+      };
+      const light = (name) =>
+        rgb(name)
+          .map((x) => x / 255)
+          .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, x, k) => sum + x * [0.2126, 0.7152, 0.0722][k], 0);
+      const contrast = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+      const list = [["--text", "--panel-solid"], ["--faint", "--panel-solid"], ["--faint", "--field"], ["--accent", "--panel-solid"], ["--on-accent", "--accent"], ["--warn", "--panel-solid"], ["--good", "--panel-solid"], ["--bad", "--bad-ground"]];
+      const found = list.map(([a, b]) => [a, b, contrast(a, b)]);
+      probe.remove();
+      root.dataset.theme = before;
+      return found;
+    }, theme);
+    for (const [a, b, contrast] of pairs) assert.ok(contrast >= 4.5, `${theme}: ${a} on ${b}: ${contrast.toFixed(2)}`);
+  }
+});
+
+test("all went without an error on the console", () => {
+  assert.deepEqual(page.faults, []);
+});
+
+test("the picture is the one that is kept, within a tolerance", async () => {
+  const view = "#t=10&camera=34,-40,26,0,0,4&layers=grid,world&theme=light&panels=";
+  const other = await open(browser, run.url + view, { viewport: { width: 480, height: 320 }, deviceScaleFactor: 1 });
+  await until(other, () => window.simbeeotic.frame()?.time === 10);
+  const count = (await other.evaluate(() => window.simbeeotic.stats())).drawn;
+  await other.evaluate(() => window.dispatchEvent(new Event("resize")));
+  await drawn(other, count);
+  await compare(other, "meadow");
+  await other.context().close();
+});
