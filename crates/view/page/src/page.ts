@@ -41,7 +41,7 @@ export class Page {
     const host = h("div", { class: "scene", id: "scene" });
     this.element = h("div", { class: "page" }, host);
     root.append(this.element);
-    document.title = `${run.hello.name || "a run"} · ${run.replay ? "replay" : "live"} · Simbeeotic`;
+    document.title = `${run.name} · ${run.replay ? "replay" : "live"} · Simbeeotic`;
 
     const hover = h("div", { class: "hover", hidden: true, "aria-hidden": "true" });
     try {
@@ -264,7 +264,7 @@ export class Page {
     if (!this.scene) return;
     try {
       const blob = await this.scene.png();
-      const name = `${run.hello.name.replace(/[^\w.-]+/g, "-") || "run"}-${run.time.value.toFixed(2)}s.png`;
+      const name = `${run.name.replace(/[^\w.-]+/g, "-")}-${run.time.value.toFixed(2)}s.png`;
       const address = URL.createObjectURL(blob);
       h("a", { href: address, download: name }).click();
       setTimeout(() => URL.revokeObjectURL(address), 10_000);

@@ -93,6 +93,12 @@ export class Run {
     }
   }
 
+  /** The scenario's or recording's name, without folders. */
+  get name(): string {
+    const file = this.hello.name.split(/[/\\]/).at(-1) ?? "";
+    return file.replace(/\.(toml|xml|mcap)$/, "") || "a run without a name";
+  }
+
   get count(): number {
     return this.hello.vehicles.paths.length;
   }

@@ -1,4 +1,5 @@
-// A program and a browser for the tests: the real ones. SIMBEEOTIC and CHROMIUM say where they are.
+// A program and a browser for the tests: the real ones. SIMBEEOTIC and CHROMIUM say where they are; with FRESH=1
+// the page comes from dist.
 import { chromium } from "playwright-core";
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
@@ -82,6 +83,14 @@ export async function execute(...args) {
 /** A tab with the page, drawn at least once. What goes wrong in it is in `faults`. */
 export async function open(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, reducedMotion: "reduce", acceptDownloads: true, ...options });
+  // While one works on the page: what lies in dist, not what the program embeds.
+  if (process.env.FRESH) {
+    const types = { "page.js": "text/javascript", "page.css": "text/css" };
+    await context.route(/\/page\.(js|css)(\?.*)?$/, (route) => {
+      const name = new URL(route.request().url()).pathname.slice(1);
+      return route.fulfill({ path: here(`../dist/${name}`), contentType: types[name] });
+    });
+  }
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
   page.faults = [];
@@ -90,7 +99,10 @@ export async function open(browser, url, options = {}) {
   });
   page.on("pageerror", (error) => page.faults.push(String(error.stack ?? error)));
   await page.goto(url);
-  await drawn(page);
+  await drawn(page).catch(async (error) => {
+    const shown = await page.evaluate(() => document.body.innerText.slice(0, 500));
+    throw new Error(`${error.message}\non the console: ${page.faults.join("\n")}\nshown: ${shown}`);
+  });
   return page;
 }
 

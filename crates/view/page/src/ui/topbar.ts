@@ -55,7 +55,7 @@ export function topBar(run: Run, settings: Settings, layout: Layout, act: PageAc
     badge.title = state?.ended ? `The run has ended: ${state.ended}` : "";
     if (state) {
       const skipped = state.skipped > 0 ? `, ${count(state.skipped)} frames skipped` : "";
-      say(speed, state.ended ? "" : factor(Math.round(state.speed * 100) / 100));
+      say(speed, state.ended || state.paused ? "" : factor(Math.round(state.speed * 100) / 100));
       speed.title = `virtual seconds per second, measured${skipped}`;
       say(viewers, state.viewers > 1 ? `${number(state.viewers)} viewers` : "1 viewer");
     }
@@ -70,7 +70,7 @@ export function topBar(run: Run, settings: Settings, layout: Layout, act: PageAc
   return h(
     "header",
     { class: "bar top", "aria-label": "run" },
-    h("h1", { class: "name", text: hello.name || "a run without a name", title: `Simbeeotic ${hello.version}` }),
+    h("h1", { class: "name", text: run.name, title: `${hello.name}\nSimbeeotic ${hello.version}` }),
     h("span", { class: "fact faint wide", text: `seed ${hello.seed}` }),
     h("span", {
       class: "fact faint wide",
