@@ -46,6 +46,7 @@ Object.assign(window, {
   simbeeotic: {
     place: () => page?.place(),
     stats: () => page?.stats(),
+    state: () => run?.state.value,
     time_s: () => run?.time.value,
     frame: () => run?.player.frame,
     vehicle: (path: string) => run?.number(path),

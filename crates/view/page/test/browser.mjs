@@ -123,15 +123,13 @@ export async function until(page, holds, argument) {
   await page.waitForFunction(holds, argument, { timeout: PATIENCE_MS });
 }
 
-/** Waits until the time stands: what was under way has arrived. */
+/** Waits until the run is held and the page shows where: what was under way has arrived. */
 export async function still(page) {
-  const stands = () => {
-    const now = window.simbeeotic.time_s();
-    const same = window.seen === now;
-    window.seen = now;
-    return same;
-  };
-  await page.waitForFunction(stands, null, { timeout: PATIENCE_MS, polling: 500 });
+  await until(page, () => {
+    const { state, time_s, frame } = window.simbeeotic;
+    const held = state();
+    return held?.paused && Math.abs(held.time_s - time_s()) < 1e-6 && frame()?.time === time_s();
+  });
 }
 
 export async function untilTime(page, least_s) {
