@@ -19,6 +19,25 @@ pub struct Ticks<'a> {
     waiting: Option<Tick>,
 }
 
+impl Recording {
+    /// The times of all ticks, ns, without reading what is in them.
+    ///
+    /// # Errors
+    /// When the file cannot be read at all; parts that are damaged are left out.
+    pub fn tick_times(&self) -> Result<Vec<u64>, ReadError> {
+        let mut messages = Messages::new(self, &[Topic::Poses], 0..=u64::MAX);
+        let mut times = Vec::new();
+        while let Some(found) = messages.next() {
+            match found {
+                Ok(found) => times.push(found.time_ns),
+                Err(error @ ReadError::Io { .. }) => return Err(error),
+                Err(_) => {}
+            }
+        }
+        Ok(times)
+    }
+}
+
 impl<'a> Ticks<'a> {
     pub(crate) fn new(recording: &'a Recording, times_ns: RangeInclusive<u64>) -> Self {
         Ticks {

@@ -6,5 +6,6 @@
 pub mod live;
 pub mod render;
 pub mod replay;
+mod series;
 pub mod server;
 pub mod wire;

@@ -70,6 +70,9 @@ pub(super) enum Command {
     },
     /// Turn one of the original's XML scenarios into TOML
     Convert(ConvertOptions),
+    /// Show a recording on a page, with a time line
+    #[command(after_help = VIEW_EXAMPLES)]
+    View(ViewOptions),
     /// Write a recording's positions, velocities and attitudes as a table
     #[command(after_help = EXPORT_COLUMNS)]
     Export(ExportOptions),
@@ -98,6 +101,13 @@ Examples:
   simbeeotic run scenarios/first-swarm.toml --view --open --paused
 
 Ctrl-C or SIGTERM ends a run early: its recording is closed, its summary shown, the exit code 130.";
+
+const VIEW_EXAMPLES: &str = "\
+Examples:
+  simbeeotic run scenarios/first-swarm.toml --record run.mcap
+  simbeeotic view run.mcap --open
+
+It serves until the page is closed, or Ctrl-C. A run is shown live by `simbeeotic run --view`.";
 
 const EXPORT_COLUMNS: &str = "\
 Columns: time_s, time_ns, model (its path), x_m, y_m, z_m (position, ENU), vx_m_s, vy_m_s, vz_m_s
@@ -183,6 +193,14 @@ pub(super) struct RunOptions {
     /// Print the summary as JSON on standard output
     #[arg(long)]
     pub(super) json: bool,
+}
+
+#[derive(Args)]
+pub(super) struct ViewOptions {
+    /// The recording
+    pub(super) recording: PathBuf,
+    #[command(flatten)]
+    pub(super) page: PageOptions,
 }
 
 /// Where a page is served.

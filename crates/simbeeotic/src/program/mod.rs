@@ -1,5 +1,5 @@
 //! The program: `simbeeotic run`, `check`, `list`, `describe`, `schema`, `new`, `convert`,
-//! `export`, `plot`, `world`, `bench`.
+//! `view`, `export`, `plot`, `world`, `bench`.
 //!
 //! A crate with parts of its own gets all of it by a `main` of one line:
 //!
@@ -53,6 +53,7 @@ pub fn main() -> ExitCode {
             library,
         } => new::new(&name, path.as_deref(), library.as_deref()),
         Command::Convert(options) => convert::convert(&options),
+        Command::View(options) => view::view(&options),
         Command::Export(options) => export::export(&options),
         Command::Picture(options) => picture::picture(&options),
         Command::Plot(what) => plot::plot(&what),

@@ -1,12 +1,15 @@
 //! The page: `run --view`, and `view` for recordings.
 
-use super::arguments::{PageOptions, RunOptions};
+use super::arguments::{PageOptions, RunOptions, ViewOptions};
+use super::run::at_interrupt;
 use super::{Failure, remark};
 use simbeeotic_model::config::{Node, Span, read_params};
 use simbeeotic_model::{FromParams, Setup};
 use simbeeotic_scenario::Loaded;
 use simbeeotic_view::live::{Viewer, ViewerParams, open_browser};
-use simbeeotic_view::server::{ServerError, Visitors};
+use simbeeotic_view::replay::Replay;
+use simbeeotic_view::server::{Options, Server, ServerError, Visitors};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The viewer's name on the shelf.
@@ -75,6 +78,39 @@ fn announce(url: &str, open: bool) {
     if open && let Err(why) = open_browser(url) {
         remark(format!("note: {why}; open the page by hand"));
     }
+}
+
+/// Shows a recording until the last page is closed, or an interrupt.
+pub(super) fn view(options: &ViewOptions) -> Result<(), Failure> {
+    let replay = Replay::open(&options.recording).map_err(Failure::input)?;
+    if replay.ticks() == 0 {
+        return Err(Failure::input(format!(
+            "{}: there is nothing to see, not one tick was recorded",
+            options.recording.display()
+        )));
+    }
+    if replay.truncated() {
+        remark(format!(
+            "note: {} was cut off; it reads up to {:.3} s",
+            options.recording.display(),
+            replay.end_s()
+        ));
+    }
+    let page = &options.page;
+    let mut place = Options {
+        port: page.port,
+        ..Options::default()
+    };
+    if let Some(address) = &page.address {
+        place.address = simbeeotic_view::server::address_of(address)
+            .map_err(|e| Failure::input(format!("--address {address}: {e}")))?;
+    }
+    let server = Server::start(place).map_err(no_server)?;
+    server.show(Arc::new(replay));
+    announce(&server.url(), page.open);
+    let interrupted = at_interrupt(|| {});
+    linger(&server.visitors(), &interrupted);
+    Ok(())
 }
 
 /// Stays until the last page is closed, or an interrupt.

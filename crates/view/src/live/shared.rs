@@ -1,7 +1,7 @@
 //! What the run's thread and the pages' threads share. Each lock is held for a copy, never for a socket.
 
 use super::look::Look;
-use super::series::Series;
+use crate::series::Series;
 use crate::server::Bell;
 use crate::wire::{Mark, Message, Packet};
 use simbeeotic_model::kernel::Progress;

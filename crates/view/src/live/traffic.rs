@@ -1,5 +1,6 @@
 //! The air, as pages show it: packets with who received them, and links between radios.
 
+use crate::replay::best;
 use crate::wire::{Link, Packet, PacketDetails};
 use simbeeotic_model::kernel::SimTime;
 use simbeeotic_model::packets::LINKED_RADIOS_MAX;
@@ -191,7 +192,7 @@ impl Traffic {
             let [from, to] = [from, to].map(|radio| self.owner(RadioId(radio)));
             Some((from?, to?, rssi_dbm as f32, share))
         });
-        Some((passed_ns as f64 * 1e-9, links.collect()))
+        Some((passed_ns as f64 * 1e-9, best(links.collect())))
     }
 
     /// Forgets what is under way: nobody looks any more.

@@ -5,11 +5,11 @@ use super::details::Selected;
 use super::look::Looks;
 use super::pace::Pace;
 use super::page::{LivePage, command};
-use super::series::Series;
 use super::shared::Shared;
 use super::traffic::{ALL_RADIOS_MAX, Traffic};
 use super::wind;
-use crate::server::{Bell, Options, Page, Server, ServerError, Source, Visitors};
+use crate::series::Series;
+use crate::server::{Bell, Options, Page, Server, ServerError, Source, Visitors, address_of};
 use crate::wire::{Asked, Facts, Hello, Mark as Told, Mode, Said};
 use simbeeotic_model::kernel::pace::Control;
 use simbeeotic_model::kernel::{ModelId, Progress, SimTime};
@@ -23,7 +23,6 @@ use simbeeotic_model::{
 use simbeeotic_record::Vehicle;
 use simbeeotic_record::stage::{Piece, Stage, pieces_of};
 use std::collections::{BTreeMap, BTreeSet};
-use std::net::IpAddr;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -135,13 +134,8 @@ impl FromParams for Viewer {
     type Params = ViewerParams;
 
     fn from_params(params: ViewerParams) -> Result<Self, BuildError> {
-        let address: IpAddr = match params.address.as_str() {
-            "localhost" => IpAddr::from([127, 0, 0, 1]),
-            text => text.parse().map_err(|_| {
-                let help = "must be an address of this machine, such as 127.0.0.1, ::1, or 0.0.0.0 for all";
-                BuildError::parameter("address", help)
-            })?,
-        };
+        let address =
+            address_of(&params.address).map_err(|help| BuildError::parameter("address", help))?;
         let frames = params.frames_per_second;
         if !(1.0..=240.0).contains(&frames) {
             return Err(BuildError::parameter(

@@ -1,1 +1,189 @@
-//! To come.
+//! A recording again: the same page, with a time line.
+//!
+//! What is small is read once (`past`: marks, statistics, series); frames, packets and links are read from
+//! the file when a page asks for their times (`film`, `page`), and a few frames are kept for whoever asks
+//! next.
+
+mod details;
+mod film;
+mod page;
+mod past;
+
+use crate::server::{Bell, Page, Source};
+use crate::wire::{Asked, Facts, Hello, Message, Mode, Replayed, seconds};
+use film::Film;
+use page::ReplayPage;
+pub(crate) use page::best;
+use past::Past;
+use simbeeotic_record::stage::Stage;
+use simbeeotic_record::{ReadError, Recording};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A recording, ready to be shown by a [`Server`](crate::server::Server).
+pub struct Replay(Arc<Shown>);
+
+/// What all pages share.
+struct Shown {
+    recording: Recording,
+    hello: Message,
+    film: Film,
+    past: Past,
+    /// The place of each vehicle, by its path.
+    places: BTreeMap<String, u32>,
+    textures: BTreeMap<String, (&'static str, Arc<[u8]>)>,
+}
+
+impl Shown {
+    /// The vehicle of this path, or the one that carries the sensor, radio or number of this path.
+    fn vehicle(&self, path: &str) -> Option<u32> {
+        vehicle_of(&self.places, path).map(|(vehicle, _)| vehicle)
+    }
+}
+
+/// The vehicle that a path begins with, and the rest of the path.
+fn vehicle_of<'a>(places: &BTreeMap<String, u32>, path: &'a str) -> Option<(u32, &'a str)> {
+    let mut end = path.len();
+    loop {
+        if let Some(vehicle) = places.get(&path[..end]) {
+            return Some((*vehicle, path[end..].trim_start_matches('/')));
+        }
+        end = path[..end].rfind('/')?;
+    }
+}
+
+impl Replay {
+    /// Opens a recording, and reads what is small.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no recording. Damaged parts are left out.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, ReadError> {
+        let recording = Recording::open(path)?;
+        let places: BTreeMap<String, u32> = (recording.vehicles().iter())
+            .zip(0..)
+            .map(|(vehicle, place)| (vehicle.path.clone(), place))
+            .collect();
+        let film = Film::new(recording.tick_times()?);
+        let past = Past::read(&recording, &places);
+        let stage = empty();
+        let textures = textures(&recording);
+        let times = film.times_ns();
+        let end_ns = recording.end_ns().max(times.last().copied().unwrap_or(0));
+        let replayed = Replayed {
+            from_s: seconds(times.first().copied().unwrap_or(0)),
+            to_s: seconds(end_ns),
+            period_s: film.period_s(),
+            ticks_s: times.iter().map(|time| seconds(*time)).collect(),
+        };
+        let name = recording
+            .metadata("run")
+            .and_then(|run| run.get("name"))
+            .cloned();
+        let facts = Facts {
+            name: name.unwrap_or_else(|| {
+                let name = recording.path().file_name().unwrap_or_default();
+                name.to_string_lossy().into_owned()
+            }),
+            // Seeds are signed in files.
+            seed: recording
+                .seed()
+                .map_or_else(String::new, |seed| seed.cast_signed().to_string()),
+            version: recording.version().unwrap_or_default().to_owned(),
+            end_s: Some(replayed.to_s),
+            truncated: recording.truncated(),
+        };
+        let hello = Hello {
+            mode: Mode::Replay,
+            facts: &facts,
+            vehicles: recording.vehicles(),
+            stage: &stage,
+            replay: Some(&replayed),
+        }
+        .message();
+        Ok(Self(Arc::new(Shown {
+            hello,
+            film,
+            past,
+            places,
+            textures,
+            recording,
+        })))
+    }
+
+    /// Whether the recording was cut off.
+    pub fn truncated(&self) -> bool {
+        self.0.recording.truncated()
+    }
+
+    /// How many ticks it has.
+    pub fn ticks(&self) -> usize {
+        self.0.film.times_ns().len()
+    }
+
+    /// Its last time, s.
+    pub fn end_s(&self) -> f64 {
+        seconds(self.0.recording.end_ns())
+    }
+}
+
+impl Source for Replay {
+    fn open(&self, _bell: Arc<Bell>) -> Box<dyn Page> {
+        Box::new(ReplayPage::new(Arc::clone(&self.0)))
+    }
+
+    fn command(&self, asked: &Asked) -> Result<bool, String> {
+        match asked {
+            Asked::Pause {} | Asked::Resume {} | Asked::Step { .. } | Asked::Pace { .. } => {
+                Err("this is a recording: the page itself plays it".to_owned())
+            }
+            _ => Ok(false),
+        }
+    }
+
+    fn texture(&self, name: &str) -> Option<(&'static str, Arc<[u8]>)> {
+        self.0.textures.get(name).cloned()
+    }
+}
+
+/// An empty plane, for recordings without a world.
+fn empty() -> Stage {
+    Stage {
+        ground: [0x7d, 0xa3, 0x6a, 0xff],
+        radius_m: 10_000.0,
+        plane: true,
+        props: Vec::new(),
+    }
+}
+
+/// The pictures among the attached files.
+fn textures(recording: &Recording) -> BTreeMap<String, (&'static str, Arc<[u8]>)> {
+    let files = recording.attachments().unwrap_or_default().into_iter();
+    let picture = |media_type: &str| {
+        ["image/png", "image/jpeg"]
+            .into_iter()
+            .find(|m| *m == media_type)
+    };
+    files
+        .filter_map(|file| Some((file.name, (picture(&file.media_type)?, file.bytes.into()))))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_belongs_to_the_vehicle_that_its_path_begins_with() {
+        let places = [("hive", 0), ("hive/bee-1", 1), ("bee", 2)];
+        let places = places.map(|(path, place)| (path.to_owned(), place)).into();
+        let of = |path| vehicle_of(&places, path);
+        assert_eq!(of("hive/bee-1/battery/soc"), Some((1, "battery/soc")));
+        assert_eq!(
+            of("hive/bee-10/battery/soc"),
+            Some((0, "bee-10/battery/soc"))
+        );
+        assert_eq!(of("hive"), Some((0, "")));
+        assert_eq!(of("weather/rain"), None);
+    }
+}

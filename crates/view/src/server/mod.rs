@@ -248,6 +248,20 @@ impl Drop for Server {
     }
 }
 
+/// An address as users write it: `127.0.0.1`, `::1`, `0.0.0.0`, `localhost`.
+///
+/// # Errors
+/// What it must be.
+pub fn address_of(text: &str) -> Result<IpAddr, String> {
+    match text {
+        "localhost" => Ok(Ipv4Addr::LOCALHOST.into()),
+        text => text.parse().map_err(|_| {
+            "must be an address of this machine, such as 127.0.0.1, ::1, or 0.0.0.0 for all"
+                .to_owned()
+        }),
+    }
+}
+
 fn bind(options: Options) -> Result<TcpListener, ServerError> {
     let Options { address, port } = options;
     let first = TcpListener::bind((address, port.unwrap_or(PORT)));

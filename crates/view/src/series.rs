@@ -17,16 +17,23 @@ const COLUMNS_MAX: usize = 256;
 
 /// A number over time, bounded: when it is full, every second point goes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct History {
-    pub(super) times_s: Vec<f64>,
-    pub(super) values: Vec<f64>,
+pub(crate) struct History {
+    pub(crate) times_s: Vec<f64>,
+    pub(crate) values: Vec<f64>,
     /// Points come no closer than this, s.
     every_s: f64,
 }
 
 impl History {
+    /// The value at a time: that of the last point not after it.
+    pub(crate) fn at(&self, time_s: f64) -> f64 {
+        let after = self.times_s.partition_point(|t| *t <= time_s);
+        let before = after.checked_sub(1);
+        before.map_or(f64::NAN, |at| self.values[at])
+    }
+
     /// Adds a point, unless the last one is too near.
-    fn push(&mut self, time_s: f64, value: f64) {
+    pub(crate) fn push(&mut self, time_s: f64, value: f64) {
         if let Some(last) = self.times_s.last()
             && time_s < last + self.every_s
         {
@@ -75,7 +82,7 @@ struct Column {
 
 /// All series of a run.
 #[derive(Debug, Default)]
-pub(super) struct Series {
+pub(crate) struct Series {
     run: Vec<OfRun>,
     columns: Vec<Column>,
     vehicles: usize,
@@ -86,7 +93,7 @@ pub(super) struct Series {
 }
 
 impl Series {
-    pub(super) fn new(vehicles: usize) -> Self {
+    pub(crate) fn new(vehicles: usize) -> Self {
         Self {
             vehicles,
             ..Self::default()
@@ -94,7 +101,7 @@ impl Series {
     }
 
     /// The place of a statistic, which is its id; made if it is new.
-    pub(super) fn statistic(&mut self, name: &str, unit: &str) -> usize {
+    pub(crate) fn statistic(&mut self, name: &str, unit: &str) -> usize {
         let known = self.run.iter().position(|series| series.name == name);
         known.unwrap_or_else(|| {
             self.run.push(OfRun {
@@ -108,14 +115,14 @@ impl Series {
     }
 
     /// Sets a statistic.
-    pub(super) fn set(&mut self, at: usize, value: f64) {
+    pub(crate) fn set(&mut self, at: usize, value: f64) {
         if let Some(series) = self.run.get_mut(at) {
             series.value = value;
         }
     }
 
     /// Sets what a vehicle publishes.
-    pub(super) fn publish(&mut self, name: &str, unit: &str, vehicle: u32, value: f64) {
+    pub(crate) fn publish(&mut self, name: &str, unit: &str, vehicle: u32, value: f64) {
         let known = self.columns.iter().position(|column| column.name == name);
         let at = match known {
             Some(at) => at,
@@ -151,7 +158,7 @@ impl Series {
     }
 
     /// Ends a sample: all statistics have their values.
-    pub(super) fn sampled(&mut self, time_s: f64) {
+    pub(crate) fn sampled(&mut self, time_s: f64) {
         for column in &self.columns {
             let mean = column.sum / column.count as f64;
             for (at, value) in [(column.sum_at, column.sum), (column.mean_at, mean)] {
@@ -192,7 +199,7 @@ impl Series {
     }
 
     /// Keeps a history of a vehicle's numbers from now on.
-    pub(super) fn follow(&mut self, vehicle: u32) {
+    pub(crate) fn follow(&mut self, vehicle: u32) {
         for at in 0..self.columns.len() {
             if self.of_vehicles.len() < VEHICLES_MAX {
                 self.of_vehicles.entry(id(at, vehicle)).or_default();
@@ -201,17 +208,17 @@ impl Series {
     }
 
     /// How many samples there were.
-    pub(super) fn number(&self) -> u64 {
+    pub(crate) fn number(&self) -> u64 {
         self.number
     }
 
     /// How many statistics of the run there are, and how many columns.
-    pub(super) fn counts(&self) -> (usize, usize) {
+    pub(crate) fn counts(&self) -> (usize, usize) {
         (self.run.len(), self.columns.len())
     }
 
     /// The statistics from one on.
-    pub(super) fn statistics_from(&self, first: usize) -> Vec<SeriesInfo> {
+    pub(crate) fn statistics_from(&self, first: usize) -> Vec<SeriesInfo> {
         let list = self.run.iter().enumerate().skip(first);
         list.map(|(at, series)| SeriesInfo {
             id: at as u32,
@@ -223,7 +230,7 @@ impl Series {
     }
 
     /// The series of a vehicle.
-    pub(super) fn of_vehicle(&self, vehicle: u32) -> Vec<SeriesInfo> {
+    pub(crate) fn of_vehicle(&self, vehicle: u32) -> Vec<SeriesInfo> {
         let list = self.columns.iter().enumerate();
         let list = list.filter(|(_, column)| (vehicle as usize) < column.values.len());
         list.map(|(at, column)| SeriesInfo {
@@ -236,7 +243,7 @@ impl Series {
     }
 
     /// All there is of one series.
-    pub(super) fn history(&self, id: u32) -> Option<&History> {
+    pub(crate) fn history(&self, id: u32) -> Option<&History> {
         match self.run.get(id as usize) {
             Some(series) => Some(&series.history),
             None => self.of_vehicles.get(&id),
@@ -244,7 +251,7 @@ impl Series {
     }
 
     /// The newest values: of the run, and of one vehicle.
-    pub(super) fn values(&self, vehicle: Option<u32>) -> (f64, Vec<(u32, f64)>) {
+    pub(crate) fn values(&self, vehicle: Option<u32>) -> (f64, Vec<(u32, f64)>) {
         let run = self.run.iter().enumerate();
         let mut list: Vec<(u32, f64)> = run.map(|(at, s)| (at as u32, s.value)).collect();
         if let Some(vehicle) = vehicle {
@@ -255,13 +262,18 @@ impl Series {
     }
 
     /// The numbers of all vehicles.
-    pub(super) fn column(&self, name: &str) -> Option<&[f32]> {
+    pub(crate) fn column(&self, name: &str) -> Option<&[f32]> {
         let column = self.columns.iter().find(|column| column.name == name)?;
         Some(&column.values)
     }
 
+    /// What a series of a vehicle is: its column and the vehicle.
+    pub(crate) fn parts_of(id: u32) -> Option<(usize, u32)> {
+        Some(((id / COLUMN).checked_sub(1)? as usize, id % COLUMN))
+    }
+
     /// The names of what vehicles publish.
-    pub(super) fn names(&self) -> Vec<String> {
+    pub(crate) fn names(&self) -> Vec<String> {
         self.columns.iter().map(|c| c.name.clone()).collect()
     }
 }

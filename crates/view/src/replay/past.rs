@@ -1,0 +1,241 @@
+//! What is read of a recording once: marks, statistics, and what vehicles published.
+
+use super::vehicle_of;
+use crate::series::{History, Series};
+use crate::wire::{Mark, seconds};
+use simbeeotic_record::{Metrics, Recording};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Marks that a page is told.
+const MARKS_MAX: usize = 5000;
+
+/// Bytes of columns that are kept to colour vehicles by.
+const COLUMNS_BYTES: usize = 32 << 20;
+
+/// Columns of one series that are kept at most.
+const COLUMNS_MAX: usize = 2000;
+
+/// What is known of the whole recording.
+pub(super) struct Past {
+    pub(super) marks: Vec<Mark>,
+    pub(super) marks_dropped: u64,
+    pub(super) series: Series,
+    /// What vehicles published, at some times: by the name of the series.
+    columns: BTreeMap<String, Vec<(f64, Arc<[f32]>)>>,
+}
+
+impl Past {
+    pub(super) fn read(recording: &Recording, places: &BTreeMap<String, u32>) -> Self {
+        let (marks, marks_dropped) = marks(recording, places);
+        let mut past = Self {
+            marks,
+            marks_dropped,
+            series: Series::new(places.len()),
+            columns: BTreeMap::new(),
+        };
+        past.read_series(recording, places);
+        past
+    }
+
+    /// Walks along the numbers of the recording, each kind in the order of its times.
+    fn read_series(&mut self, recording: &Recording, places: &BTreeMap<String, u32>) {
+        let contacts = self.series.statistic("contacts", "1/s");
+        let end_s = seconds(recording.end_ns());
+        // A thousand values, or one a second, whichever is more.
+        let period_s = (end_s / 1000.0).clamp(0.001, 1.0);
+        let mut touches = recording
+            .events()
+            .flatten()
+            .filter(|event| event.kind == "contact")
+            .map(|event| seconds(event.time_ns))
+            .peekable();
+        let all = |traffic: &simbeeotic_record::Traffic| traffic.radio.is_empty();
+        let mut traffic = recording
+            .traffic_in(0..=u64::MAX)
+            .flatten()
+            .filter(all)
+            .peekable();
+        let air = traffic.peek().is_some().then(|| {
+            let series = &mut self.series;
+            [
+                series.statistic("packets/sent", "1/s"),
+                series.statistic("packets/received", "1/s"),
+                series.statistic("packets/delivery", "1"),
+            ]
+        });
+        let mut metrics = recording.metrics().flatten().peekable();
+        let count = places.len().max(1);
+        let most = (COLUMNS_BYTES / (4 * count * 4)).clamp(10, COLUMNS_MAX);
+        let (mut next_s, every_s) = (0.0, end_s / most as f64);
+        let mut time_s = 0.0;
+        while time_s < end_s {
+            time_s = (time_s + period_s).min(end_s);
+            let mut count = 0;
+            while touches.next_if(|t| *t <= time_s).is_some() {
+                count += 1;
+            }
+            self.series.set(contacts, f64::from(count) / period_s);
+            while let Some(period) = traffic.next_if(|t| seconds(t.time_ns) <= time_s) {
+                let tallies = &period.period;
+                let lost = |(why, n): &(String, u64)| match why.as_str() {
+                    // Not received, by radios that were near enough.
+                    "below-sensitivity" | "noise" | "collision" | "half-duplex" | "asleep" => *n,
+                    _ => 0,
+                };
+                let lost: u64 = tallies.lost.iter().map(lost).sum();
+                let (sent, received) = (tallies.sent as f64, tallies.received as f64);
+                let span_s = period.period_s.max(1e-9);
+                if let Some([sent_at, received_at, delivery_at]) =
+                    air.filter(|_| period.period_s > 0.0)
+                {
+                    self.series.set(sent_at, sent / span_s);
+                    self.series.set(received_at, received / span_s);
+                    let delivery = received / (received + lost as f64);
+                    self.series.set(delivery_at, delivery);
+                }
+            }
+            while let Some(list) = metrics.next_if(|list| seconds(list.time_ns) <= time_s) {
+                self.publish(&list, places);
+            }
+            self.series.sampled(time_s);
+            if time_s >= next_s {
+                next_s = time_s + every_s;
+                for name in self.series.names() {
+                    let Some(column) = self.series.column(&name) else {
+                        continue;
+                    };
+                    let column = column.into();
+                    self.columns.entry(name).or_default().push((time_s, column));
+                }
+            }
+        }
+    }
+
+    fn publish(&mut self, list: &Metrics, places: &BTreeMap<String, u32>) {
+        for metric in &list.values {
+            let unit = match metric.unit.as_str() {
+                "" => "1",
+                unit => unit,
+            };
+            match vehicle_of(places, &metric.name) {
+                Some((vehicle, name)) if !name.is_empty() => {
+                    self.series.publish(name, unit, vehicle, metric.value);
+                }
+                _ => {
+                    let at = self.series.statistic(&metric.name, unit);
+                    self.series.set(at, metric.value);
+                }
+            }
+        }
+    }
+
+    /// What all vehicles had last published at a time.
+    pub(super) fn column(&self, name: &str, time_s: f64) -> Option<Arc<[f32]>> {
+        let list = self.columns.get(name)?;
+        let after = list.partition_point(|(t, _)| *t <= time_s);
+        // What was sampled a little later is better than nothing.
+        let (_, column) = list.get(after.saturating_sub(1))?;
+        Some(Arc::clone(column))
+    }
+}
+
+/// What one vehicle published, by the name of the series: read from the file.
+pub(super) fn of_vehicle(recording: &Recording, path: &str) -> BTreeMap<String, History> {
+    let mut all: BTreeMap<String, History> = BTreeMap::new();
+    for list in recording.metrics().flatten() {
+        let time_s = seconds(list.time_ns);
+        for metric in &list.values {
+            let rest = metric.name.strip_prefix(path);
+            if let Some(name) = rest.and_then(|rest| rest.strip_prefix('/')) {
+                all.entry(name.to_owned())
+                    .or_default()
+                    .push(time_s, metric.value);
+            }
+        }
+    }
+    all
+}
+
+/// Events and log lines in the order of their times, thinned if they are too many.
+fn marks(recording: &Recording, places: &BTreeMap<String, u32>) -> (Vec<Mark>, u64) {
+    let who = |path: &str| vehicle_of(places, path).map(|(vehicle, _)| vehicle);
+    let events = recording.events().flatten().map(|event| {
+        let who = event.paths.iter().filter_map(|path| who(path)).collect();
+        (seconds(event.time_ns), event.kind, who, event.text)
+    });
+    let lines = recording.log().flatten().map(|line| {
+        let who = who(&line.path).into_iter().collect();
+        (seconds(line.time_ns), "log".to_owned(), who, line.text)
+    });
+    let mut thin = Thin::default();
+    let mark = |(t, kind, who, text): (f64, String, Vec<u32>, String)| Mark {
+        t,
+        kind: kind.into(),
+        who,
+        text,
+    };
+    events
+        .chain(lines)
+        .map(mark)
+        .for_each(|mark| thin.push(mark));
+    let mut list = thin.list;
+    list.sort_by(|a, b| a.t.total_cmp(&b.t));
+    let dropped = thin.seen - list.len() as u64;
+    (list, dropped)
+}
+
+/// Every n-th of a list whose length is not known before.
+struct Thin {
+    list: Vec<Mark>,
+    every: u64,
+    seen: u64,
+}
+
+impl Default for Thin {
+    fn default() -> Self {
+        Self {
+            list: Vec::new(),
+            every: 1,
+            seen: 0,
+        }
+    }
+}
+
+impl Thin {
+    fn push(&mut self, mark: Mark) {
+        if self.seen.is_multiple_of(self.every) {
+            if self.list.len() >= MARKS_MAX {
+                let mut keep = false;
+                self.list.retain(|_| {
+                    keep = !keep;
+                    keep
+                });
+                self.every *= 2;
+            }
+            self.list.push(mark);
+        }
+        self.seen += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_thinned_evenly() {
+        let mut thin = Thin::default();
+        for t in 0..100_000 {
+            thin.push(Mark {
+                t: f64::from(t),
+                kind: "contact".into(),
+                who: Vec::new(),
+                text: String::new(),
+            });
+        }
+        assert!((MARKS_MAX / 2..=MARKS_MAX).contains(&thin.list.len()));
+        assert_eq!(thin.list[0].t, 0.0);
+        assert!(thin.list[thin.list.len() - 1].t > 99_900.0);
+    }
+}
