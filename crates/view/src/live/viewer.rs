@@ -9,7 +9,9 @@ use super::shared::Shared;
 use super::traffic::{ALL_RADIOS_MAX, Traffic};
 use super::wind;
 use crate::series::Series;
-use crate::server::{Bell, Options, Page, Server, ServerError, Source, Visitors, address_of};
+use crate::server::{
+    Bell, Options, Page, Picture, Server, ServerError, Source, Visitors, address_of, pictures,
+};
 use crate::wire::{Asked, Facts, Hello, Mark as Told, Mode, Said};
 use simbeeotic_model::kernel::pace::Control;
 use simbeeotic_model::kernel::{ModelId, Progress, SimTime};
@@ -21,7 +23,7 @@ use simbeeotic_model::{
     params,
 };
 use simbeeotic_record::Vehicle;
-use simbeeotic_record::stage::{Piece, Stage, pieces_of};
+use simbeeotic_record::stage::{Piece, Stage, pieces_of, textures};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -173,16 +175,23 @@ impl FromParams for Viewer {
 }
 
 /// What the server shows.
-struct Run(Arc<Shared>);
+struct Run {
+    shared: Arc<Shared>,
+    textures: BTreeMap<String, Picture>,
+}
 
 impl Source for Run {
     fn open(&self, bell: Arc<Bell>) -> Box<dyn Page> {
-        let number = self.0.enter(bell);
-        Box::new(LivePage::new(Arc::clone(&self.0), number))
+        let number = self.shared.enter(bell);
+        Box::new(LivePage::new(Arc::clone(&self.shared), number))
     }
 
     fn command(&self, asked: &Asked) -> Result<bool, String> {
-        command(&self.0, asked)
+        command(&self.shared, asked)
+    }
+
+    fn texture(&self, name: &str) -> Option<Picture> {
+        self.textures.get(name).cloned()
     }
 }
 
@@ -240,7 +249,10 @@ impl Viewer {
         self.start_series(view);
         let url = self.bind().map_err(|e| ComponentError::new(e.to_string()));
         if let Some(server) = &self.server {
-            server.show(Arc::new(Run(Arc::clone(&self.shared))));
+            server.show(Arc::new(Run {
+                shared: Arc::clone(&self.shared),
+                textures: pictures(textures(view.world()).0),
+            }));
         }
         url.map(drop)
     }

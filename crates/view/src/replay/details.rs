@@ -29,7 +29,7 @@ pub(super) fn tell(
         t: time_s,
         ..Details::default()
     };
-    let about: Option<simbeeotic_model::About> = None;
+    let about = shown.recording.about(vehicle as usize).ok().flatten();
     if let Some(about) = about {
         details.parts = (about.parts.iter())
             .map(|part| Part {

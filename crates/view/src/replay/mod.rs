@@ -9,7 +9,7 @@ mod film;
 mod page;
 mod past;
 
-use crate::server::{Bell, Page, Source};
+use crate::server::{Bell, Page, Picture, Source, pictures};
 use crate::wire::{Asked, Facts, Hello, Message, Mode, Replayed, seconds};
 use film::Film;
 use page::ReplayPage;
@@ -32,7 +32,7 @@ struct Shown {
     past: Past,
     /// The place of each vehicle, by its path.
     places: BTreeMap<String, u32>,
-    textures: BTreeMap<String, (&'static str, Arc<[u8]>)>,
+    textures: BTreeMap<String, Picture>,
 }
 
 impl Shown {
@@ -66,8 +66,8 @@ impl Replay {
             .collect();
         let film = Film::new(recording.tick_times()?);
         let past = Past::read(&recording, &places);
-        let stage = empty();
-        let textures = textures(&recording);
+        let stage = recording.stage().ok().flatten().unwrap_or_else(empty);
+        let textures = pictures(recording.attachments().unwrap_or_default());
         let times = film.times_ns();
         let end_ns = recording.end_ns().max(times.last().copied().unwrap_or(0));
         let replayed = Replayed {
@@ -141,7 +141,7 @@ impl Source for Replay {
         }
     }
 
-    fn texture(&self, name: &str) -> Option<(&'static str, Arc<[u8]>)> {
+    fn texture(&self, name: &str) -> Option<Picture> {
         self.0.textures.get(name).cloned()
     }
 }
@@ -154,19 +154,6 @@ fn empty() -> Stage {
         plane: true,
         props: Vec::new(),
     }
-}
-
-/// The pictures among the attached files.
-fn textures(recording: &Recording) -> BTreeMap<String, (&'static str, Arc<[u8]>)> {
-    let files = recording.attachments().unwrap_or_default().into_iter();
-    let picture = |media_type: &str| {
-        ["image/png", "image/jpeg"]
-            .into_iter()
-            .find(|m| *m == media_type)
-    };
-    files
-        .filter_map(|file| Some((file.name, (picture(&file.media_type)?, file.bytes.into()))))
-        .collect()
 }
 
 #[cfg(test)]

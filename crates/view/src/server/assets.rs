@@ -57,11 +57,21 @@ pub(super) fn answer(status: u16, media_type: &str, length: usize, host: Option<
     )
 }
 
-/// The name of a texture in a path: one name, no folder.
-pub(super) fn texture(head: &Head) -> Option<&str> {
-    let name = head.path.strip_prefix("/textures/")?;
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-    (!name.is_empty() && name.chars().all(plain) && !name.starts_with('.')).then_some(name)
+/// The name of a texture in a path. It is looked up among names, and never opened.
+pub(super) fn texture(head: &Head) -> Option<String> {
+    let mut bytes = head.path.strip_prefix("/textures/")?.bytes();
+    let mut name = Vec::new();
+    while let Some(byte) = bytes.next() {
+        name.push(match byte {
+            b'%' => {
+                let digits = [bytes.next()?, bytes.next()?];
+                let digit = |byte: u8| char::from(byte).to_digit(16);
+                u8::try_from(digit(digits[0])? * 16 + digit(digits[1])?).ok()?
+            }
+            byte => byte,
+        });
+    }
+    String::from_utf8(name).ok()
 }
 
 #[cfg(test)]
@@ -83,14 +93,23 @@ mod tests {
         for path in ["", "/../Cargo.toml", "/page.jsx", "//", "/%2e%2e/x"] {
             assert!(file(path, None).is_none(), "{path}");
         }
-        for name in ["..", "a/b", "", "%2e", "..\\a"] {
-            let text = format!("GET /textures/{name} HTTP/1.1\r\nHost: a\r\n\r\n");
-            let head = Head::parse(text.as_bytes());
-            assert!(
-                head.ok()
-                    .and_then(|h| texture(&h).map(str::to_owned))
-                    .is_none()
-            );
+        let name = |path: &str| {
+            let text = format!("GET {path} HTTP/1.1\r\nHost: a\r\n\r\n");
+            Head::parse(text.as_bytes())
+                .ok()
+                .and_then(|head| texture(&head))
+        };
+        assert_eq!(
+            name("/textures/pictures%2Fa%20b.png"),
+            Some("pictures/a b.png".to_owned())
+        );
+        for path in [
+            "/textures/%2",
+            "/textures/%zz",
+            "/textures/%ff",
+            "/texture/a",
+        ] {
+            assert_eq!(name(path), None, "{path}");
         }
     }
 }

@@ -130,7 +130,7 @@ fn serve(mut stream: TcpStream, shared: &Arc<Shared>) {
     }
     let source = shared.source.get();
     let texture = || {
-        let (media_type, bytes) = source?.texture(assets::texture(&head)?)?;
+        let (media_type, bytes) = source?.texture(&assets::texture(&head)?)?;
         Some((media_type, bytes.to_vec()))
     };
     match assets::file(&head.path, shared.guard.token()).or_else(texture) {

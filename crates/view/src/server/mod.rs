@@ -23,6 +23,9 @@ pub use bell::Bell;
 use crate::wire::{Asked, Message};
 use connection::Door;
 use guard::Guard;
+use simbeeotic_record::Attachment;
+use simbeeotic_record::stage::TEXTURES;
+use std::collections::BTreeMap;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -41,10 +44,26 @@ pub trait Source: Send + Sync + 'static {
     /// What is wrong with it, for people.
     fn command(&self, asked: &Asked) -> Result<bool, String>;
 
-    /// A texture file of the world, and its media type.
-    fn texture(&self, _name: &str) -> Option<(&'static str, Arc<[u8]>)> {
+    /// A texture file of the world by its name, and its media type.
+    fn texture(&self, _name: &str) -> Option<Picture> {
         None
     }
+}
+
+/// A media type, and the bytes of a file.
+pub type Picture = (&'static str, Arc<[u8]>);
+
+/// The pictures among attached files, by their names as textures.
+pub(crate) fn pictures(files: Vec<Attachment>) -> BTreeMap<String, Picture> {
+    let known = |said: &str| {
+        let mut types = ["image/png", "image/jpeg"].into_iter();
+        types.find(|known| *known == said)
+    };
+    let picture = |file: Attachment| {
+        let name = file.name.strip_prefix(TEXTURES)?.to_owned();
+        Some((name, (known(&file.media_type)?, file.bytes.into())))
+    };
+    files.into_iter().filter_map(picture).collect()
 }
 
 /// One page that looks at a [`Source`]. Lives on the thread that writes to it.
