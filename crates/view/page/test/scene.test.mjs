@@ -116,13 +116,16 @@ test("a range stays while values wander within it, and follows them when they le
   assert.deepEqual(colours.steadyRange([0, 10], null), [0, 10]);
 });
 
-test("kinds get colours that differ, unless the run gives its vehicles several", () => {
+test("kinds get colours that differ, and keep those of the run that tell them apart", () => {
   const hello = (colors) => ({ vehicles: { kinds: ["a", "b", "a"], colors } });
   const same = paint.coloursOfKinds(hello(["#101010", "#101010", "#101010"]));
+  assert.deepEqual(same.colours[0], [16, 16, 16]);
   assert.notDeepEqual(same.colours[0], same.colours[1]);
   assert.deepEqual(same.colours[0], same.colours[2]);
   const given = paint.coloursOfKinds(hello(["#ff0000", "#00ff00", "#0000ff"]));
   assert.deepEqual(given.colours, [[255, 0, 0], [0, 255, 0], [0, 0, 255]]);
+  const many = paint.coloursOfKinds({ vehicles: { kinds: [..."abcdefg"], colors: Array(7).fill("#f0b21e") } });
+  assert.equal(new Set(many.names.map(([, c]) => c)).size, 7);
   assert.deepEqual(given.names, [["a", "#ff0000"], ["b", "#00ff00"], ["a", "#0000ff"]]);
 });
 

@@ -16,8 +16,8 @@ export const KINDS: readonly string[] = [
 const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
 const PLASMA = ["#3b0f9b", "#6a00a8", "#900da4", "#b12a90", "#cc4778", "#e16462", "#f2844b", "#fca636", "#fcce25", "#f0f921"];
 const CHARGE = ["#c1121f", "#e8590c", "#f9a03f", "#fde2a0", "#a8d5e5", "#5fa8d3", "#1d6fb8"];
-const SIGNAL = ["#b3123f", "#d9480f", "#8f3fbf", "#2f49d1", "#0b2bd0"];
-const SIGNAL_DARK = ["#ff5d73", "#ff9d5c", "#ffe08a", "#8fe3ff", "#e6fbff"];
+const SIGNAL = ["#8a7f9e", "#6a66b8", "#3f4fd0", "#0b2bd0"];
+const SIGNAL_DARK = ["#7d88a8", "#86b4e0", "#a5e6ff", "#f2fdff"];
 
 /** Colours from low to high. */
 export const SCALES = {

@@ -181,7 +181,7 @@ export function dart(): THREE.BufferGeometry {
   return finish(soup);
 }
 
-const LEAF = [0.16, 0.36, 0.1, 0.88] as const;
+const LEAF = [0.34, 0.55, 0.2, 0.9] as const;
 
 /** The stem of a flower, radius 1, half height 1: green, without ends; `leaves`: with two of them. */
 export function stem(leaves: boolean): THREE.BufferGeometry {

@@ -5,6 +5,8 @@ import type { Frames } from "./frames";
 import { niceBelow, project } from "./math";
 
 const MOST_LABELS = 60;
+/** Scale and compass are below what the page has at the top; panels cover the other edges. */
+const TOP_PX = 68;
 const FONT = '12px system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif';
 
 export interface OverlayInput {
@@ -140,7 +142,7 @@ export class Overlay {
   private scale(c: CanvasRenderingContext2D, input: OverlayInput): void {
     const length = niceBelow(input.pixel_m * 130);
     const px = length / input.pixel_m;
-    const [x, y] = [16, input.height - 18];
+    const [x, y] = [input.width / 2 - 78, TOP_PX + 12];
     for (const [width, colour] of [[4.5, this.paper(0.8)], [2, this.ink()]] as const) {
       c.strokeStyle = colour;
       c.lineWidth = width;
@@ -157,7 +159,7 @@ export class Overlay {
 
   /** East, north and up as they are seen. */
   private compass(c: CanvasRenderingContext2D, input: OverlayInput): void {
-    const [x, y, l] = [input.width - 44, input.height - 44, 24];
+    const [x, y, l] = [input.width / 2 + 104, TOP_PX + 6, 22];
     const m = input.view;
     // The rows of the view give the directions on the screen; x and y are stretched by the lens.
     const ax = Math.hypot(m[0]!, m[4]!, m[8]!);

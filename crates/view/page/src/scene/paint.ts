@@ -87,23 +87,44 @@ export class Paint {
 }
 
 /**
- * The colours that the run gives its vehicles, if they tell anything: if there is more than one, or one kind only.
- * Else kinds get colours that can be told apart.
+ * The colours that the run gives its vehicles, as far as they tell kinds apart: the first kind of a colour keeps it,
+ * the others get one that can be told from those.
  */
 export function coloursOfKinds(hello: Pick<Hello, "vehicles">): { colours: Rgb[]; names: [string, string][] } {
   const { kinds, colors } = hello.vehicles;
-  const given = new Set(colors);
-  const all = [...new Set(kinds)];
-  const own = given.size > 1 || all.length <= 1;
-  const palette = new Map(all.map((kind, i) => [kind, KINDS[i % KINDS.length]!]));
+  const own = new Map<string, Set<string>>();
+  kinds.forEach((kind, i) => {
+    const text = css(colourOf(colors[i] ?? ""));
+    const set = own.get(kind);
+    if (set) set.add(text);
+    else own.set(kind, new Set([text]));
+  });
+  const taken = new Set<string>();
+  const others: string[] = [];
+  for (const [kind, set] of own) {
+    if ([...set].some((c) => taken.has(c))) others.push(kind);
+    else for (const c of set) taken.add(c);
+  }
+  const palette = new Map<string, string>();
+  for (const kind of others) {
+    const free = KINDS.find((c) => [...taken].every((t) => apart(c, t))) ?? KINDS[palette.size % KINDS.length]!;
+    taken.add(free);
+    palette.set(kind, free);
+  }
   const colours: Rgb[] = [];
   const names = new Map<string, [string, string]>();
   kinds.forEach((kind, i) => {
-    const text = own ? css(colourOf(colors[i] ?? "")) : palette.get(kind)!;
+    const text = palette.get(kind) ?? css(colourOf(colors[i] ?? ""));
     const [r, g, b] = colourOf(text);
     colours.push([r, g, b]);
     const key = `${kind} ${text}`;
     if (!names.has(key) && names.size < 12) names.set(key, [kind, text]);
   });
   return { colours, names: [...names.values()] };
+}
+
+/** Whether two colours can be told apart at a glance. */
+function apart(a: string, b: string): boolean {
+  const [x, y] = [colourOf(a), colourOf(b)];
+  return Math.hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) > 70;
 }

@@ -1,7 +1,7 @@
 // Radio: links as lines that fade with their signal, packets as pulses from the sender to those who hear it.
 
 import type { Link, Packet } from "../wire";
-import { SCALES, sample } from "./colours";
+import { SCALES, colourOf, sample } from "./colours";
 import type { Frames } from "./frames";
 import type { Shared } from "./light";
 import { Lines } from "./lines";
@@ -14,6 +14,8 @@ const MOST_LINKS = 12_000;
 /** How long a pulse is under way, wall s; the second where time runs slowly. */
 const PULSE_S = 0.35;
 const SLOW_PULSE_S = 1;
+const PULSE = "#d9006c";
+const PULSE_DARK = "#ffd166";
 const MOST_PULSES = 4096;
 /** Of one packet so many receivers are shown. */
 const MOST_RECEIVERS = 40;
@@ -34,7 +36,7 @@ export class Radio {
 
   constructor(frames: Frames, shared: Shared) {
     this.links = new Lines(MOST_LINKS, frames, shared, { width_px: 1.5, order: 12 });
-    this.pulses = new Lines(MOST_PULSES, frames, shared, { width_px: 4, pulse: true, order: 14 });
+    this.pulses = new Lines(MOST_PULSES, frames, shared, { width_px: 3.4, pulse: true, order: 14 });
   }
 
   setDark(dark: boolean): void {
@@ -73,7 +75,7 @@ export class Radio {
         const [to, rssi] = packet.to[i]!;
         if (to >= count) continue;
         const s = strength(rssi);
-        const slot = this.pulses.add(packet.from, to, [...sample(this.dark ? SCALES.signalDark : SCALES.signal, s), 255], now, lasts);
+        const slot = this.pulses.add(packet.from, to, [...colourOf(this.dark ? PULSE_DARK : PULSE).slice(0, 3), 120 + 135 * s], now, lasts);
         if (first < 0) first = slot;
         added++;
         left--;

@@ -37,7 +37,7 @@ export class Wind {
         varying vec3 vNormal2;
         void main() {
           vec3 n = normalize(vNormal2);
-          gl_FragColor = vec4(toSrgb(uColour * (0.75 + 0.4 * n.z)), 0.72);
+          gl_FragColor = vec4(toSrgb(uColour * (0.75 + 0.4 * n.z)), 0.58);
         }`,
       transparent: true,
     });

@@ -174,7 +174,7 @@ export class World {
           make = which === head ? () => bloom(fine) : () => stem(fine);
           both = true;
           // No two flowers look the same way.
-          if (which === head) matrix = matrix.multiply(new THREE.Matrix4().makeRotationZ(number * 2.4));
+          if (which === head) matrix = headOf(piece, outline.size, number);
         } else if (prop.kind === "terrain" && "mesh" in form) {
           make = () => meshOf(form.mesh.points, form.mesh.triangles, true);
         }
@@ -281,6 +281,17 @@ export class World {
     this.materials.push(material);
     return material;
   }
+}
+
+/** A flower's head: as wide as it is, but cupped, and leaning a little, so that it is seen from the side too. */
+function headOf(piece: Piece, size: THREE.Vector3, number: number): THREE.Matrix4 {
+  const way = number * 2.4;
+  const lean = 0.25 + 0.2 * Math.sin(number * 1.7);
+  const turn = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(Math.cos(way), Math.sin(way), 0), lean);
+  turn.multiply(new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), way * 3));
+  const [w, x, y, z] = piece.turn;
+  const own = new THREE.Quaternion(x, y, z, w).normalize().multiply(turn);
+  return new THREE.Matrix4().compose(new THREE.Vector3(...piece.at), own, new THREE.Vector3(size.x, size.y, Math.max(size.z, size.x * 0.32)));
 }
 
 function highest(pieces: Piece[]): number {
