@@ -25,6 +25,7 @@ const LONGEST_REST_MS = 2000;
 
 export class Page {
   private readonly element: HTMLElement;
+  private readonly host = h("div", { class: "scene", id: "scene" });
   private readonly layout = new Layout();
   private readonly scene: SceneView | null;
   private readonly noScene: string = "";
@@ -38,7 +39,7 @@ export class Page {
     root: HTMLElement,
     place: Place,
   ) {
-    const host = h("div", { class: "scene", id: "scene" });
+    const { host } = this;
     this.element = h("div", { class: "page" }, host);
     root.append(this.element);
     document.title = `${run.name} · ${run.replay ? "replay" : "live"} · Simbeeotic`;
@@ -211,7 +212,9 @@ export class Page {
       run.links.on((list) => scene.setLinks(list));
       run.wind.on((arrows) => scene.setWind(arrows));
       this.until(settings.dark.on((dark) => scene.setDark(dark)));
-      addEventListener("resize", () => scene.resize(), { signal: run.gone.signal });
+      const sizes = new ResizeObserver(() => scene.resize());
+      sizes.observe(this.host);
+      this.until(() => sizes.disconnect());
     }
     const { replay } = run;
     if (replay) {

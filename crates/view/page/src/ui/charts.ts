@@ -115,7 +115,7 @@ export function chosen(run: Run): ChartKey[] {
   const keys = [...usual, ...rest].slice(0, MOST_USUAL).map((name) => ({ name, own: false }));
   const battery = batteryName(run.series);
   const vehicle = run.selected.value;
-  if (battery && vehicle !== null && run.series.find(battery, vehicle)) keys.push({ name: battery, own: true });
+  if (battery && vehicle !== null && speaks(run.series.find(battery, vehicle))) keys.push({ name: battery, own: true });
   return keys;
 }
 
@@ -236,7 +236,7 @@ class Chart {
           axis((x, step) => time(x, decimalsOf(step)), size_px * 1.8),
           { ...axis((x, step) => (Math.abs(x) < 1000 ? fixed(x, decimalsOf(step)) : number(x)), size_px * 4), space: size_px * 2.2 },
         ],
-        series: [{}, { stroke: colour("--accent"), width: 1.5, points: { show: false }, spanGaps: false }],
+        series: [{}, { stroke: colour("--accent"), width: 1.5, points: { show: false }, spanGaps: true }],
         cursor: { sync: { key: SYNC, setSeries: false }, drag: { x: false, y: false, setScale: false }, y: false, points: { size: 6 } },
         hooks: { draw: replay ? [(plot) => this.drawNow(plot, colour("--now"))] : [], setCursor: [(plot) => this.tell(plot)] },
       },

@@ -6,6 +6,7 @@ import type { Details, SensorDetails } from "../wire";
 
 /** Values of one sensor that are listed; a camera has more than anybody reads. */
 const MOST_VALUES = 6;
+const MOST_LINES = 8;
 const POINTS = 120;
 
 interface Row {
@@ -39,38 +40,54 @@ function title(): HTMLElement {
   );
 }
 
+/** A sensor with several readings at once, a ring of range finders: a line each, and what is true of the last value. */
+function matrix(first: SensorDetails, length: number): { element: HTMLElement; update(sensor: SensorDetails): void } {
+  const columns = first.columns.length;
+  const shown = Math.min(Math.ceil(length / columns), MOST_LINES);
+  const lines = Array.from({ length: shown }, () => Array.from({ length: columns + 1 }, (_, at) => h("td", { class: at < columns ? "figure" : "figure faint" })));
+  const title = ([name, of]: [string, string]) => h("td", { class: "figure faint", text: of === "1" || of === "" ? name : `${name}, ${of}` });
+  return {
+    element: h(
+      "table",
+      { class: "facts matrix" },
+      h("tr", {}, ...first.columns.map(title), h("td", { class: "figure faint", text: "true" })),
+      ...lines.map((cells) => h("tr", {}, ...cells)),
+    ),
+    update(sensor) {
+      lines.forEach((cells, line) => {
+        cells.forEach((cell, at) => {
+          const from = at < columns ? sensor.reading : sensor.truth;
+          say(cell, number(from?.[line * columns + Math.min(at, columns - 1)]));
+        });
+      });
+    },
+  };
+}
+
 function sensorRow(first: SensorDetails): Row {
   const length = first.reading?.length ?? first.truth?.length ?? 0;
   const columns = Math.max(first.columns.length, 1);
+  const grid = columns > 1 && length > columns ? matrix(first, length) : null;
   const state = h("span", { class: "faint figure" });
   const spark = h("canvas", { class: "spark", "aria-hidden": "true" });
-  const cells = Array.from({ length: Math.min(length, MOST_VALUES) }, (_, at) => {
+  const cells = Array.from({ length: grid ? 0 : Math.min(length, MOST_VALUES) }, (_, at) => {
     const [column, of] = first.columns[at % columns] ?? ["", ""];
-    const number = length > columns ? ` ${Math.floor(at / columns) + 1}` : "";
+    const name = length > columns ? `${column} ${at + 1}` : column;
     const reading = h("td", { class: "figure" });
     const truth = h("td", { class: "figure faint" });
-    const row = h(
-      "tr",
-      {},
-      h("th", { scope: "row", text: `${column}${number}`.trim() }),
-      reading,
-      truth,
-      h("td", { class: "faint", text: of === "1" ? "" : of }),
-    );
+    const row = h("tr", {}, h("th", { scope: "row", text: name.trim() }), reading, truth, h("td", { class: "faint", text: of === "1" ? "" : of }));
     return { row, reading, truth };
   });
-  const more = length > MOST_VALUES ? h("p", { class: "faint", text: `and ${length - MOST_VALUES} more values` }) : null;
-  const table = h(
-    "table",
-    { class: "facts values" },
-    ...cells.map((cell) => cell.row),
-  );
+  const hidden = grid ? length - MOST_LINES * columns : length - MOST_VALUES;
+  const more = hidden > 0 ? h("p", { class: "faint", text: `and ${hidden} more values` }) : null;
+  const table = grid ? grid.element : h("table", { class: "facts values" }, ...cells.map((cell) => cell.row));
   const past: { t: number; reading: number | null; truth: number | null }[] = [];
   return {
     element: h("div", { class: "sensor" }, h("div", { class: "first" }, h("strong", { class: "cut", text: first.name }), spark, state), table, more),
     update(sensor) {
       say(state, sensor.lost ? "lost" : sensor.t === null ? "not read yet" : time(sensor.t));
       state.classList.toggle("warn", sensor.lost);
+      grid?.update(sensor);
       cells.forEach((cell, at) => {
         say(cell.reading, number(sensor.reading?.[at], 4));
         say(cell.truth, number(sensor.truth?.[at], 4));
@@ -81,8 +98,8 @@ function sensorRow(first: SensorDetails): Row {
         past.push({ t: sensor.t, reading: sensor.reading?.[0] ?? null, truth: sensor.truth?.[0] ?? null });
         if (past.length > POINTS) past.shift();
       }
-      show(spark, past.length > 2);
-      if (past.length > 2) drawSpark(spark, past);
+      show(spark, past.length > 2 && !grid);
+      if (past.length > 2 && !grid) drawSpark(spark, past);
     },
   };
 }
