@@ -9,7 +9,10 @@
 //!
 //! | channel | schema | when |
 //! |---|---|---|
-//! | `/vehicles` | `simbeeotic.Vehicles` | once, first: paths, kinds, radii; their order is the order of all ticks |
+//! | `/vehicles` | `simbeeotic.Vehicles` | once, first: paths, kinds, radii, looks; their order is the order of all ticks |
+//! | `/world` | [`foxglove.SceneUpdate`](https://docs.foxglove.dev/docs/visualization/message-schemas/scene-update) | once: what stands in the world |
+//! | `/world/points` | [`foxglove.PointCloud`](https://docs.foxglove.dev/docs/visualization/message-schemas/point-cloud) | once: points on its surfaces |
+//! | `/models` | `simbeeotic.About` | once for all models that are alike: parts, sensors, radios |
 //! | `/poses` | [`foxglove.PosesInFrame`](https://docs.foxglove.dev/docs/visualization/message-schemas/poses-in-frame) | every tick: all vehicles |
 //! | `/twists` | `simbeeotic.Twists` | every tick, after its poses |
 //! | `/log` | [`foxglove.Log`](https://docs.foxglove.dev/docs/visualization/message-schemas/log) | what models say |
@@ -22,7 +25,15 @@
 //! | `/images/PATH` | [`foxglove.RawImage`](https://docs.foxglove.dev/docs/visualization/message-schemas/raw-image) | what the camera at this path saw |
 //!
 //! ```text
-//! message Vehicles { repeated string paths = 1; repeated string kinds = 2; repeated double radius_m = 3; }
+//! message Vehicles { repeated string paths = 1; repeated string kinds = 2; repeated double radius_m = 3;
+//!                    repeated string roles = 4; repeated fixed32 colors_rgba = 5;
+//!                    repeated int32 look = 6; repeated foxglove.SceneEntity looks = 7; }  // look: place in looks, or -1
+//! message About    { repeated string models = 1; repeated AboutPart parts = 2;
+//!                    repeated AboutSensor sensors = 3; repeated string radios = 4; }
+//! message AboutPart   { string place = 1; string name = 2; repeated foxglove.KeyValuePair parameters = 3; }
+//! message AboutSensor { string name = 1; foxglove.Pose mount = 2; AboutBeams beams = 3; }
+//! message AboutBeams  { string kind = 1; double range_m = 2; repeated double directions = 3;
+//!                       double half_angle_rad = 4; double horizontal_rad = 5; double vertical_rad = 6; }
 //! message Twists   { google.protobuf.Timestamp timestamp = 1;
 //!                    repeated float linear_enu_m_s = 2;        // x y z of the first vehicle, of the second, ...
 //!                    repeated float angular_flu_rad_s = 3; }

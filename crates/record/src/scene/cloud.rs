@@ -4,8 +4,13 @@ use crate::encoder::WORLD_FRAME;
 use crate::message::{PackedField, PointCloud, Pose, Quaternion, Vector3};
 use crate::stage::Stage;
 
-/// How many points there are at most.
+/// How many points there are at most, and for each piece of few.
 const POINTS_MAX: usize = 20_000;
+const POINTS_LEAST: usize = 1_000;
+const POINTS_A_PIECE: usize = 50;
+
+/// Points lie on a grid of 1/256 m: noise below that would be most of their bytes.
+const GRID: f32 = 256.0;
 
 /// Bytes of a point: three floats, four bytes.
 const STRIDE: u32 = 16;
@@ -14,15 +19,18 @@ const STRIDE: u32 = 16;
 const UINT8: i32 = 1;
 const FLOAT32: i32 = 7;
 
-/// The cloud of a stage; `None` if nothing stands on it.
+/// The cloud of a stage: 50 points for each piece, 1,000 at least and 20,000 at most; `None` if nothing stands on it.
 pub(crate) fn cloud_of(stage: &Stage) -> Option<PointCloud> {
-    let points = stage.points(POINTS_MAX);
+    let pieces: usize = stage.props.iter().map(|prop| prop.pieces.len()).sum();
+    let wanted = pieces.saturating_mul(POINTS_A_PIECE);
+    let points = stage.points(wanted.clamp(POINTS_LEAST, POINTS_MAX));
     if points.is_empty() {
         return None;
     }
     let mut data = Vec::with_capacity(points.len() * STRIDE as usize);
     for (point, rgba) in points {
-        data.extend(point.iter().flat_map(|x| x.to_le_bytes()));
+        let rounded = point.map(|x| (x * GRID).round() / GRID);
+        data.extend(rounded.iter().flat_map(|x| x.to_le_bytes()));
         data.extend(rgba);
     }
     let field = |name: &str, offset, r#type| PackedField {

@@ -1,3 +1,5 @@
+//! Stages come back as they were, and bent ones harm nobody.
+
 use super::*;
 use crate::message::{KeyValue, SceneEntity, SceneUpdate};
 use crate::recorder::Precision;
@@ -22,7 +24,7 @@ fn rank(piece: &Piece) -> u8 {
 fn form() -> impl Strategy<Value = Form> {
     // Multiples of a power of two: half and double, and ratios of two of them, are exact.
     let metres = || (1..64_u32).prop_map(|n| f64::from(n) / 16.0);
-    let power = || (0..6_i32).prop_map(|n| 2.0_f64.powi(n - 3));
+    let power = || (0..6_u32).prop_map(|n| f64::from(1_u32 << n) / 8.0);
     prop_oneof![
         [metres(), metres(), metres()].prop_map(|half_m| Form::Box { half_m }),
         metres().prop_map(|radius_m| Form::Sphere { radius_m }),
