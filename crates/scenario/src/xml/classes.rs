@@ -227,8 +227,8 @@ const CONE: &[Property] = &[
 ];
 
 const VIEWER: &[Property] = &[
-    param("use-background", "background", As::Flag),
-    param("show-controls", "controls", As::Flag),
+    gone("use-background", "the page has a sky that goes with its theme"),
+    gone("show-controls", "the page has its own controls"),
     gone("testbed-overhead-view", "views are chosen in the page"),
     gone("testbed-angle-view", "views are chosen in the page"),
     gone("second-screen", "the page opens where you open it"),
