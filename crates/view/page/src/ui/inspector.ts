@@ -5,6 +5,8 @@ import { count, fixed, number, time } from "../core/format";
 import { icon } from "../core/icons";
 import { throttled } from "../core/signal";
 import type { Run } from "../run";
+import { GREY, css } from "../scene/colours";
+import { coloursOfKinds } from "../scene/paint";
 import type { Details, Frame } from "../wire";
 import { sensorRows } from "./sensors";
 
@@ -36,12 +38,12 @@ export function inspector(run: Run): HTMLElement {
   run.time.on(throttled(100, move));
   run.selected.now((vehicle) => {
     if (vehicle === null) return;
-    const { kinds, roles, colors } = run.hello.vehicles;
+    const { kinds, roles } = run.hello.vehicles;
     say(name, run.path(vehicle));
     name.title = run.path(vehicle);
     const role = roles[vehicle] && roles[vehicle] !== "vehicle" ? ` · ${roles[vehicle]}` : "";
     say(kind, `${kinds[vehicle] ?? ""}${role}`);
-    dot.style.background = (colors[vehicle] ?? "#888888").slice(0, 7);
+    dot.style.background = css(coloursOfKinds(run.hello).colours[vehicle] ?? GREY);
     move();
   });
   run.details.now((details) => {

@@ -4,6 +4,8 @@ import { button, h, show } from "../core/dom";
 import { count } from "../core/format";
 import { icon } from "../core/icons";
 import type { Run } from "../run";
+import { css } from "../scene/colours";
+import { coloursOfKinds } from "../scene/paint";
 import { inspector } from "./inspector";
 import type { Layout, Tab } from "./layout";
 import { marksList } from "./marks";
@@ -92,7 +94,8 @@ interface Finder {
 }
 
 function finderBox(run: Run): Finder {
-  const { paths, kinds, colors } = run.hello.vehicles;
+  const { paths, kinds } = run.hello.vehicles;
+  const colours = coloursOfKinds(run.hello).colours.map(css);
   const lower = paths.map((path, vehicle) => `${path} ${kinds[vehicle] ?? ""}`.toLowerCase());
   const all = paths.map((_, vehicle) => vehicle);
   let found = all;
@@ -113,7 +116,7 @@ function finderBox(run: Run): Finder {
   const list = virtualList("vehicles", 2, (index) => {
     const vehicle = found[index]!;
     const dot = h("span", { class: "dot" });
-    dot.style.background = (colors[vehicle] ?? "#888888").slice(0, 7);
+    dot.style.background = colours[vehicle] ?? "#888888";
     return h(
       "button",
       {
