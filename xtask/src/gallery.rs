@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use toml::{Table, Value};
 
+use crate::plots::Plots;
 use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
@@ -26,7 +27,11 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
     let text = std::fs::read_to_string(repo.path(LIST)).with_context(|| LIST.to_owned())?;
     let list: Table = text.parse().with_context(|| LIST.to_owned())?;
     let sections = sections(&list)?;
+    let plots_of_runs = Plots::read(repo)?;
     for name in names {
+        if plots_of_runs.has(name) {
+            continue;
+        }
         if !sections
             .iter()
             .flat_map(|s| &s.pictures)
@@ -72,7 +77,9 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
         anyhow::ensure!(status.success(), "what sensors read cannot be drawn");
     }
     std::fs::write(repo.path(PAGE), page(&sections))?;
-    report.summary = format!("{drawn} pictures in {IMAGES}, and {PAGE}");
+    let of_runs = plots_of_runs.draw(repo, &program, &room, names, &mut report)?;
+    report.summary =
+        format!("{drawn} pictures in {IMAGES}, {of_runs} plots of runs, and their pages");
     Ok(report)
 }
 

@@ -27,6 +27,7 @@ mod gallery;
 mod golden;
 mod new_project;
 mod page;
+mod plots;
 mod program;
 mod repo;
 mod report;

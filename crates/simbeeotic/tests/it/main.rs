@@ -13,6 +13,7 @@ mod held;
 mod layers;
 mod operator;
 mod plot;
+mod plot_runs;
 mod program;
 mod radio;
 mod shelf;

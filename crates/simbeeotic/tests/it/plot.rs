@@ -37,7 +37,7 @@ fn flown() -> Program {
 }
 
 /// The words of a picture, if it is well-formed.
-fn words(svg: &str) -> Vec<String> {
+pub(crate) fn words(svg: &str) -> Vec<String> {
     let mut reader = Reader::from_str(svg);
     let mut words = Vec::new();
     let mut inside = false;

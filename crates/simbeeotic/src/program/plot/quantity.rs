@@ -2,17 +2,11 @@
 
 use super::super::Failure;
 use super::flights::{selected, selection};
+use super::names::{PACKETS, STATES, means, unknown};
 use super::source::Source;
 use simbeeotic_record::Traffic;
 use simbeeotic_units::did_you_mean;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Numbers of vehicles, from their positions and velocities.
-const STATES: [&str; 6] = ["speed", "climb", "altitude", "x", "y", "z"];
-/// Numbers of packets.
-const PACKETS: [&str; 5] = ["sent", "received", "overheard", "lost", "delivery"];
-/// A list in an error is not longer.
-const LISTED: usize = 14;
 
 /// One number of one thing over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -303,40 +297,6 @@ fn counted(traffic: &Traffic, what: &str) -> f64 {
     count as f64 / traffic.period_s
 }
 
-/// Whether a pattern means a name: the whole of it, or, if it has no star, the last part of it.
-fn means(pattern: &str, name: &str) -> bool {
-    if pattern.contains(['*', '?']) {
-        return matches(pattern.as_bytes(), name.as_bytes());
-    }
-    match name.strip_suffix(pattern) {
-        Some(above) => above.is_empty() || above.ends_with('/'),
-        None => false,
-    }
-}
-
-/// Whether a pattern with `*` and `?` matches a whole text.
-fn matches(pattern: &[u8], text: &[u8]) -> bool {
-    let (mut p, mut t) = (0, 0);
-    let mut star = None;
-    while t < text.len() {
-        match pattern.get(p) {
-            Some(b'*') => {
-                star = Some((p + 1, t));
-                p += 1;
-            }
-            Some(c) if *c == b'?' || *c == text[t] => (p, t) = (p + 1, t + 1),
-            _ => {
-                let Some((behind, end)) = star else {
-                    return false;
-                };
-                star = Some((behind, end + 1));
-                (p, t) = (behind, end + 1);
-            }
-        }
-    }
-    pattern[p..].iter().all(|c| *c == b'*')
-}
-
 fn published(source: &Source, name: &str, models: &[String]) -> Result<Option<Quantity>, Failure> {
     let wanted = selection(models);
     let mut curves: BTreeMap<String, Curve> = BTreeMap::new();
@@ -482,78 +442,9 @@ fn readings(source: &Source, name: &str, models: &[String]) -> Result<Option<Qua
     filled(source, quantity).map(Some)
 }
 
-/// Says what there is.
-fn unknown(source: &Source, name: &str) -> Result<Failure, Failure> {
-    let mut names: BTreeSet<String> = BTreeSet::new();
-    for metrics in source.recording.metrics() {
-        let metrics = metrics.map_err(Failure::run)?;
-        names.extend(metrics.values.iter().map(|metric| starred(&metric.name)));
-    }
-    let published: Vec<String> = names.iter().cloned().collect();
-    names.clear();
-    for reading in source.recording.readings_in(0..=u64::MAX) {
-        let reading = reading.map_err(Failure::run)?;
-        let sensor = starred(&reading.sensor);
-        match reading.names.as_slice() {
-            [] | [_] => drop(names.insert(sensor)),
-            several => names.extend(several.iter().map(|column| format!("{sensor}:{column}"))),
-        }
-    }
-    let read: Vec<String> = names.into_iter().collect();
-    let fixed = [
-        "packets/sent",
-        "packets/received",
-        "packets/lost",
-        "packets/delivery",
-    ];
-    let known = (STATES.iter().chain(&fixed).copied())
-        .chain(published.iter().map(String::as_str))
-        .chain(read.iter().map(String::as_str));
-    let last = |name: &str| name.rsplit('/').next().unwrap_or_default().to_owned();
-    let parts: Vec<String> = published.iter().map(|name| last(name)).collect();
-    let guess = did_you_mean(name, known.chain(parts.iter().map(String::as_str)))
-        .map_or(String::new(), |guess| format!("; did you mean {guess:?}?"));
-    let list = |what: &str, names: &[String]| match names.len() {
-        0 => format!("\n  {what}: none"),
-        n => format!(
-            "\n  {what}: {}{}",
-            names[..n.min(LISTED)].join(", "),
-            if n > LISTED { " ..." } else { "" }
-        ),
-    };
-    Ok(Failure::input(format!(
-        "{} has no number called {name:?}{guess} It has\n  of each model: {}, distance:MODEL\n  of radios: {}{}{}",
-        source.file(),
-        STATES.join(", "),
-        PACKETS.map(|p| format!("packets/{p}")).join(", "),
-        list("metrics", &published),
-        list("readings", &read)
-    )))
-}
-
-/// A path with stars for its numbers: `bee-*/battery/soc`.
-fn starred(path: &str) -> String {
-    let part = |part: &str| match part.rsplit_once('-') {
-        Some((group, number)) if number.bytes().all(|b| b.is_ascii_digit()) => format!("{group}-*"),
-        _ => part.to_owned(),
-    };
-    let parts: Vec<String> = path.split('/').map(part).collect();
-    parts.join("/")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn patterns_mean_whole_names_or_their_last_parts() {
-        assert!(means("bee-*/battery/soc", "bee-17/battery/soc"));
-        assert!(!means("bee-*/battery", "bee-17/battery/soc"));
-        assert!(means("soc", "bee-17/battery/soc") && means("battery/soc", "bee-17/battery/soc"));
-        assert!(!means("oc", "bee-17/battery/soc"));
-        assert!(means("latency", "latency"));
-        assert_eq!(starred("bee-17/battery/soc"), "bee-*/battery/soc");
-    }
 
     #[test]
     fn a_curve_is_straight_between_its_points_and_a_held_one_is_steps() {
