@@ -115,12 +115,16 @@ impl Ground {
         bounds
     }
 
-    /// Draws it. What begins above `level_m` is an outline only.
-    pub(super) fn draw(&self, sheet: &mut Sheet, panel: &Panel, level_m: f64) {
+    /// Colours the plane, below the grid.
+    pub(super) fn plane(&self, sheet: &mut Sheet, panel: &Panel) {
         let [left, top, right, bottom] = panel.edges;
         if let Some(ink) = self.plane {
-            sheet.rectangle([left, top], [right, bottom], ink.mixed(WHITE, 0.88));
+            sheet.rectangle([left, top], [right, bottom], ink.mixed(WHITE, 0.92));
         }
+    }
+
+    /// Draws what stands on it. What begins above `level_m` is an outline only.
+    pub(super) fn draw(&self, sheet: &mut Sheet, panel: &Panel, level_m: f64) {
         for relief in &self.relief {
             relief.draw(sheet, panel);
         }

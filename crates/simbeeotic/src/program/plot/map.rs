@@ -212,7 +212,7 @@ impl Column {
     }
 
     fn beside_mark(&mut self, sheet: &mut Sheet, text: &str) {
-        let size = SMALL.min(SMALL * (LEGEND - 44.0) / font::width(text, SMALL).max(1.0));
+        let size = (SMALL * (LEGEND - 44.0) / font::width(text, SMALL).max(1.0)).clamp(9.0, SMALL);
         let at = [self.left + 33.0, self.y];
         sheet.words(at, text, size, Anchor::Start, TEXT);
         self.y += 20.0;

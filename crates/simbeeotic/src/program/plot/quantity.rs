@@ -264,7 +264,7 @@ fn packets(
     }
     let quantity = Quantity {
         name: match what {
-            "delivery" => "share of frames in range that arrive".to_owned(),
+            "delivery" => "delivery in range".to_owned(),
             what => format!("frames {}", what.replace('/', ": ").replace('-', " ")),
         },
         unit: if what == "delivery" { "" } else { "1/s" }.to_owned(),

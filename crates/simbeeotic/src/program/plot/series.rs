@@ -79,10 +79,13 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
         if banded {
             let kind = options.band.unwrap_or(BandKind::Quantile);
             let ink = series(at);
+            let unit = &quantity.unit;
+            let alone = quantities.iter().filter(|q| q.unit == *unit).count() == 1;
             let mut add = |curves: &[Curve], dashed: bool, kind: BandKind| {
                 drawn.push(Drawn {
                     name: match dashed {
                         true => "truth".to_owned(),
+                        false if alone => format!("mean of {count}"),
                         false => format!("{}, mean of {count}", quantity.name),
                     },
                     ink: if dashed { TEXT } else { ink },
@@ -210,10 +213,17 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
         }
         for (at, runs) in runs.into_iter().enumerate() {
             let n = runs.len();
-            let name = match (group.name.as_str(), numbers.metric.len()) {
+            // Where a panel has one quantity, its axis names it.
+            let unit = &heads[at].unit;
+            let alone = heads.iter().filter(|head| head.unit == *unit).count() == 1;
+            let name = match (group.name.as_str(), alone) {
                 ("", _) => format!("{}, {n} runs", heads[at].name),
-                (name, 1) => name.to_owned(),
-                (name, _) => format!("{}, {name}", heads[at].name),
+                (name, true) => name.to_owned(),
+                (name, false) => format!("{}, {name}", heads[at].name),
+            };
+            let ink = match alone {
+                true => series(place),
+                false => series(place * heads.len() + at),
             };
             let times = times(runs.iter());
             if options.each {
@@ -223,21 +233,13 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                     } else {
                         String::new()
                     };
-                    drawn.push(line_of(
-                        curve,
-                        at,
-                        name,
-                        series(place * heads.len() + at),
-                        0.7,
-                        1.2,
-                        false,
-                    ));
+                    drawn.push(line_of(curve, at, name, ink, 0.7, 1.2, false));
                 }
                 continue;
             }
             drawn.push(Drawn {
                 name,
-                ink: series(place * heads.len() + at),
+                ink: ink,
                 alpha: 1.0,
                 width: 2.2,
                 dashed: false,

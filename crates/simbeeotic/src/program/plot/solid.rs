@@ -368,7 +368,7 @@ fn flights(things: &mut Vec<Thing>, eye: &Eye, scene: &Scene, paints: &Paints, r
                 width * 0.8,
             ),
         });
-        for (middle, range) in parts(paints, &points) {
+        for (middle, range) in parts(paints, &points, many) {
             let (at, point) = points[middle];
             let ink = paints.ink(place, flight, scene.times_s[at], point[2]);
             let part = &points[range];

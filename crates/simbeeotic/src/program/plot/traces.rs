@@ -22,8 +22,9 @@ const NAMES_MAX: usize = 40;
 const TOLERANCE: f64 = 0.3;
 /// More points than these make a file large, and no picture better.
 const POINTS_MAX: usize = 40_000;
-/// Parts of a trace that changes its colour.
+/// Parts of a trace that changes its colour: of one, and of all together.
 const PARTS: usize = 48;
+const PARTS_ALL: usize = 800;
 /// A world that would leave less than this share of the map to the flights is not drawn whole.
 const SHARE_LEAST: f64 = 0.4;
 /// Who stays where it is, and has no colour of its own.
@@ -114,6 +115,9 @@ fn draw(sheet: &mut Sheet, scene: &Scene, options: &TraceOptions) -> Result<(), 
             .metres(),
     };
     let panel = map(sheet, bounds);
+    if let Some(ground) = &ground {
+        ground.plane(sheet, &panel);
+    }
     panel.draw(sheet, true);
     if let Some(ground) = &ground {
         ground.draw(sheet, &panel, level_m);
@@ -237,15 +241,17 @@ pub(super) fn pen(count: usize) -> (f64, f64) {
     }
 }
 
-/// The parts of a flight that have one colour each, and the place of a point in the middle of each.
+/// The parts of one of so many flights that have one colour each, and the place of a point in the middle of each.
 pub(super) fn parts(
     paints: &Paints,
     points: &[(usize, [f64; 3])],
+    flights: usize,
 ) -> Vec<(usize, std::ops::RangeInclusive<usize>)> {
     let Some(last) = points.len().checked_sub(1).filter(|last| *last > 0) else {
         return Vec::new();
     };
-    let count = if paints.changes() { PARTS.min(last) } else { 1 };
+    let most = (PARTS_ALL / flights.max(1)).clamp(8, PARTS);
+    let count = if paints.changes() { most.min(last) } else { 1 };
     (0..count)
         .map(|part| {
             let (from, to) = (part * last / count, (part + 1) * last / count);
@@ -262,7 +268,7 @@ fn lines(sheet: &mut Sheet, panel: &Panel, scene: &Scene, paints: &Paints) {
         let mut drawn: Vec<(Vec<[f64; 2]>, Ink)> = Vec::new();
         for (place, flight) in scene.moving.iter().enumerate() {
             let points: Vec<_> = flight.known().collect();
-            for (middle, range) in parts(paints, &points) {
+            for (middle, range) in parts(paints, &points, scene.moving.len()) {
                 let (at, point) = points[middle];
                 let ink = paints.ink(place, flight, scene.times_s[at], point[2]);
                 let pixels: Vec<[f64; 2]> = (points[range].iter())
