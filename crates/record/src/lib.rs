@@ -69,6 +69,9 @@
 //! | poses and twists | 49 | 83 |
 //! | poses only | 30 | 60 |
 //!
+//! What is said once: the world, 10 to 50 bytes a primitive and up to 160 kB of points; of each vehicle some 50 bytes
+//! before compression.
+//!
 //! 10,000 bees once a second make 29 MB a minute; 1,000 bees at 10 Hz make 1.8 GB an hour. The
 //! run's thread copies 104 B a vehicle and tick, some 35 ns; encoding and compression take some
 //! 400 ns on another thread. How often a tick is recorded is the caller's choice.
