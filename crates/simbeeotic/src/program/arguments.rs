@@ -2,6 +2,7 @@
 
 use super::bench::Experiment;
 use super::plot::{PLOT_EXAMPLES, Plot};
+use super::render_arguments::{RENDER_EXAMPLES, RenderOptions};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -82,6 +83,9 @@ pub(super) enum Command {
     /// Draw what is in a recording: flights, numbers over time, histograms, coverage, links, losses
     #[command(subcommand, after_help = PLOT_EXAMPLES)]
     Plot(Plot),
+    /// Draw a recording as a picture, or as a film
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render(Box<RenderOptions>),
     /// Write a world made by rule: maze, office, mine, forest, city, warehouse
     #[command(after_help = WORLD_EXAMPLES, disable_help_flag = true)]
     World(WorldOptions),

@@ -1,5 +1,5 @@
 //! The program: `simbeeotic run`, `check`, `list`, `describe`, `schema`, `new`, `convert`,
-//! `view`, `export`, `plot`, `world`, `bench`.
+//! `view`, `export`, `plot`, `render`, `world`, `bench`.
 //!
 //! A crate with parts of its own gets all of it by a `main` of one line:
 //!
@@ -19,6 +19,8 @@ mod log;
 mod new;
 mod picture;
 mod plot;
+mod render;
+mod render_arguments;
 mod run;
 mod shelf;
 mod show;
@@ -57,6 +59,7 @@ pub fn main() -> ExitCode {
         Command::Export(options) => export::export(&options),
         Command::Picture(options) => picture::picture(&options),
         Command::Plot(what) => plot::plot(&what),
+        Command::Render(options) => render::render(&options),
         Command::World(options) => world::world(&options),
         Command::Bench(experiment) => bench::bench(&experiment),
     };

@@ -196,7 +196,7 @@ fn angle(text: &str) -> Result<Angle, Failure> {
     }
 }
 
-fn place(option: &str, text: &str) -> Result<DVec3, Failure> {
+pub(super) fn place(option: &str, text: &str) -> Result<DVec3, Failure> {
     let parts: Vec<f64> = text
         .split(',')
         .filter_map(|part| part.trim().trim_end_matches('m').trim_end().parse().ok())

@@ -120,7 +120,7 @@ pub(super) fn at_interrupt(act: impl Fn() + Send + 'static) -> Arc<AtomicBool> {
 /// Calls `act` at each interrupt. If that cannot be had, an interrupt just ends the program, and the
 /// recording still reads.
 #[cfg(unix)]
-fn on_interrupt(act: impl Fn() + Send + 'static) {
+pub(super) fn on_interrupt(act: impl Fn() + Send + 'static) {
     use signal_hook::consts::{SIGINT, SIGTERM};
     if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) {
         std::thread::spawn(move || signals.forever().for_each(|_| act()));
@@ -128,7 +128,7 @@ fn on_interrupt(act: impl Fn() + Send + 'static) {
 }
 
 #[cfg(not(unix))]
-fn on_interrupt(act: impl Fn() + Send + 'static) {
+pub(super) fn on_interrupt(act: impl Fn() + Send + 'static) {
     let _ = ctrlc::set_handler(act);
 }
 

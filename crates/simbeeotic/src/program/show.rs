@@ -71,6 +71,31 @@ impl Drop for Bar {
     }
 }
 
+/// A bar on standard error that counts what is done. Draws nothing if standard error is no terminal.
+pub(super) struct Steps(ProgressBar);
+
+impl Steps {
+    pub(super) fn start(total: u64) -> Self {
+        let bar =
+            ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(10));
+        let template = "{bar:32} {percent:>3}%  {pos} of {len} pictures   {per_sec}   {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Self(bar)
+    }
+
+    pub(super) fn at(&self, done: u64) {
+        self.0.set_position(done);
+    }
+}
+
+impl Drop for Steps {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
 /// Seconds as people say them.
 fn span(seconds: f64) -> String {
     match seconds {

@@ -1,0 +1,458 @@
+//! `render`: pictures and films of a recording.
+
+use super::render_arguments::RenderOptions;
+use super::{Failure, input, picture, remark, run, same_file, show};
+use simbeeotic_kernel::SimTime;
+use simbeeotic_record::{Recording, Stage, publish};
+use simbeeotic_units::{Angle, AngularRate, did_you_mean};
+use simbeeotic_view::render::{
+    Choices, ColourBy, Film, Fit, Frames, Gif, Mp4, Picture, RenderError, Side, View, write_png,
+};
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Pictures of a film from which a GIF's colours are chosen.
+const SAMPLES: u64 = 12;
+/// A film with more pictures is a slip of the keyboard.
+const FRAMES_MAX: f64 = 1e6;
+
+/// Draws the picture or the film.
+pub(super) fn render(options: &RenderOptions) -> Result<(), Failure> {
+    let job = Job::read(options)?;
+    let recording = Recording::open(&options.recording).map_err(Failure::input)?;
+    if recording.truncated() {
+        remark(format!(
+            "note: {} was cut off; it reads up to {}",
+            options.recording.display(),
+            SimTime::from_nanos(recording.end_ns())
+        ));
+    }
+    if same_file(&options.recording, job.target) {
+        return Err(Failure::input(format!(
+            "{} is the recording itself; choose another name for the picture",
+            job.target.display()
+        )));
+    }
+    let stage = stage(&recording)?;
+    match options.threads {
+        None => job.draw(options, &recording, &stage),
+        Some(threads) => {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let pool = pool.map_err(|e| Failure::run(format!("--threads {threads}: {e}")))?;
+            pool.install(|| job.draw(options, &recording, &stage))
+        }
+    }
+}
+
+/// What stands in the recorded world; in older recordings, an empty plane.
+fn stage(recording: &Recording) -> Result<Stage, Failure> {
+    let stage = recording.stage().map_err(Failure::run)?;
+    Ok(stage.unwrap_or_else(|| Stage {
+        plane: true,
+        ..Stage::default()
+    }))
+}
+
+/// What a film becomes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Still,
+    Gif,
+    Mp4,
+    Frames,
+}
+
+/// What is to be drawn: the arguments, read.
+struct Job<'a> {
+    form: Form,
+    target: &'a Path,
+    choices: Choices,
+    /// The picture's time, or the film's first one, and its last, ns; none: as recorded.
+    from_ns: Option<u64>,
+    to_ns: Option<u64>,
+    rate_hz: f64,
+}
+
+impl<'a> Job<'a> {
+    fn read(options: &'a RenderOptions) -> Result<Self, Failure> {
+        let (form, target) = target(options)?;
+        let positive = |option: &str, value: f64, most: f64| match value {
+            v if v > 0.0 && v <= most => Ok(v),
+            v => Err(Failure::input(format!(
+                "{option} {v}: above 0, at most {most}"
+            ))),
+        };
+        let speed = positive("--speed", options.speed, 1e6)?;
+        let rate_max = if form == Form::Gif { 50.0 } else { 240.0 };
+        let rate_hz = positive("--frames-per-second", options.frames_per_second, rate_max)?;
+        let trail_s = match &options.trails {
+            Some(text) => input::time("--trails", text)?.get(),
+            None => 0.0,
+        };
+        let fineness = options
+            .fineness
+            .unwrap_or(if form == Form::Still { 2 } else { 1 });
+        if !(1..=4).contains(&fineness) {
+            return Err(Failure::input(format!("--fineness {fineness}: 1 to 4")));
+        }
+        let size = size(&options.size)?;
+        if form == Form::Mp4 && size.iter().any(|side| !side.is_multiple_of(2)) {
+            return Err(Failure::input(format!(
+                "--size {}: an .mp4 has an even number of pixels, both ways",
+                options.size
+            )));
+        }
+        let choices = Choices {
+            size,
+            fineness,
+            dark: options.dark && !options.light,
+            view: view(options)?,
+            fit: fit(&options.fit)?,
+            follow: options.follow.clone(),
+            zoom: positive("--zoom", options.zoom, 1e4)?,
+            field_of_view_rad: angle_within(
+                "--field-of-view",
+                &options.field_of_view,
+                [1.0, 150.0],
+            )?,
+            colour_by: ColourBy::named(&options.colour_by),
+            trail_s,
+            labels: options.labels,
+            links: options.links,
+            packets: options.packets,
+            captions: !options.plain,
+            speed,
+        };
+        let nanos = |option: &str, text: &Option<String>| match text {
+            None => Ok(None),
+            Some(text) => SimTime::from_time(input::span(option, text)?)
+                .map(|time| Some(time.nanos()))
+                .map_err(|e| Failure::input(format!("{option}: {e}"))),
+        };
+        let (from_ns, to_ns) = match form {
+            Form::Still => {
+                let at = nanos("--at", &options.at)?;
+                (at, at)
+            }
+            _ => (nanos("--from", &options.from)?, nanos("--to", &options.to)?),
+        };
+        Ok(Self {
+            form,
+            target,
+            choices,
+            from_ns,
+            to_ns,
+            rate_hz,
+        })
+    }
+
+    fn draw(
+        &self,
+        options: &RenderOptions,
+        recording: &Recording,
+        stage: &Stage,
+    ) -> Result<(), Failure> {
+        let to_ns = match self.to_ns {
+            Some(to_ns) => to_ns,
+            None => recording.end_ns(),
+        };
+        let from_ns = match (self.from_ns, self.form) {
+            (Some(from_ns), _) => from_ns,
+            (None, Form::Still) => to_ns,
+            (None, _) => {
+                let first = recording.ticks().next().transpose().map_err(Failure::run)?;
+                first.map_or(0, |tick| tick.time_ns)
+            }
+        };
+        if from_ns > to_ns {
+            return Err(Failure::input(format!(
+                "--from {} is after --to {}: there is nothing between them",
+                SimTime::from_nanos(from_ns),
+                SimTime::from_nanos(to_ns)
+            )));
+        }
+        let film = Film::new(recording, stage, self.choices.clone(), from_ns..=to_ns);
+        let mut film = film.map_err(failed)?;
+        let times = self.times(from_ns, to_ns)?;
+        let pictures = match self.form {
+            Form::Still => {
+                let picture = film.picture(from_ns).map_err(failed)?;
+                write_png(self.target, &picture).map_err(failed)?;
+                1
+            }
+            _ => self.film(options, &mut film, &times)?,
+        };
+        if !options.quiet {
+            let bytes = std::fs::metadata(self.target).map(|m| m.len()).unwrap_or(0);
+            let [width, height] = self.choices.size;
+            remark(match self.form {
+                Form::Still => format!("wrote {}", self.target.display()),
+                Form::Frames => format!("wrote {pictures} pictures as {}", self.target.display()),
+                _ => format!(
+                    "wrote {}: {pictures} pictures of {width} x {height}, {:.1} s, {}",
+                    self.target.display(),
+                    pictures as f64 / self.rate_hz,
+                    show::bytes(bytes)
+                ),
+            });
+        }
+        Ok(())
+    }
+
+    /// When the pictures of a film are taken, ns.
+    fn times(&self, from_ns: u64, to_ns: u64) -> Result<Vec<u64>, Failure> {
+        let step_ns = self.choices.speed * 1e9 / self.rate_hz;
+        let count = ((to_ns - from_ns) as f64 / step_ns * (1.0 + 1e-12)).floor() + 1.0;
+        if count > FRAMES_MAX {
+            return Err(Failure::input(format!(
+                "a film of {count} pictures: {FRAMES_MAX} are the most; raise --speed, or choose a part by \
+                 --from and --to"
+            )));
+        }
+        let at = |number: u64| from_ns + (number as f64 * step_ns).round() as u64;
+        Ok((0..count as u64)
+            .map(|number| at(number).min(to_ns))
+            .collect())
+    }
+
+    fn film(
+        &self,
+        options: &RenderOptions,
+        film: &mut Film<'_>,
+        times: &[u64],
+    ) -> Result<usize, Failure> {
+        let interrupted = interrupts();
+        let bar = (!options.quiet).then(|| show::Steps::start(times.len() as u64));
+        let mut each = |add: &mut dyn FnMut(&Picture) -> Result<(), RenderError>| {
+            for (number, time_ns) in times.iter().enumerate() {
+                let added = film.picture(*time_ns).and_then(|picture| add(&picture));
+                // Ctrl-C reaches ffmpeg too.
+                if interrupted.load(Ordering::Relaxed) {
+                    return Err(Failure::interrupted());
+                }
+                added.map_err(failed)?;
+                if let Some(bar) = &bar {
+                    bar.at(number as u64 + 1);
+                }
+            }
+            Ok(())
+        };
+        match self.form {
+            Form::Still => {}
+            Form::Frames => {
+                let mut frames = Frames::new(self.target).map_err(failed)?;
+                each(&mut |picture| frames.add(picture))?;
+            }
+            Form::Mp4 => {
+                let mp4 = Mp4::new(self.target, self.choices.size, self.rate_hz);
+                let mut mp4 = mp4.map_err(failed)?;
+                each(&mut |picture| mp4.add(picture))?;
+                mp4.finish().map_err(failed)?;
+            }
+            Form::Gif => {
+                let samples = self.samples(film, times)?;
+                publish(self.target, |file| -> Result<(), Unwritten> {
+                    let out = BufWriter::new(file);
+                    let mut gif = Gif::<BufWriter<&File>>::new(out, &samples, self.rate_hz)
+                        .map_err(failed)?;
+                    for (number, time_ns) in times.iter().enumerate() {
+                        let picture = film.picture(*time_ns).map_err(failed)?;
+                        if interrupted.load(Ordering::Relaxed) {
+                            return Err(Failure::interrupted().into());
+                        }
+                        gif.add(&picture).map_err(failed)?;
+                        if let Some(bar) = &bar {
+                            bar.at(number as u64 + 1);
+                        }
+                    }
+                    let out = gif.finish().map_err(failed)?;
+                    let flushed = out
+                        .into_inner()
+                        .map_err(std::io::IntoInnerError::into_error);
+                    flushed.map(|_| ()).map_err(Unwritten::from)
+                })
+                .map_err(|unwritten| match unwritten {
+                    Unwritten::Failure(failure) => failure,
+                    Unwritten::Io(error) => {
+                        Failure::run(format!("cannot write {}: {error}", self.target.display()))
+                    }
+                })?;
+            }
+        }
+        Ok(times.len())
+    }
+
+    /// Some pictures of the whole film.
+    fn samples(&self, film: &mut Film<'_>, times: &[u64]) -> Result<Vec<Picture>, Failure> {
+        let last = times.len() as u64 - 1;
+        let count = SAMPLES.min(times.len() as u64);
+        let places = (0..count).map(|k| last * k / (count - 1).max(1));
+        places
+            .map(|place| film.picture(times[place as usize]).map_err(failed))
+            .collect()
+    }
+}
+
+/// Why a file was not published.
+enum Unwritten {
+    Failure(Failure),
+    Io(std::io::Error),
+}
+
+impl From<std::io::Error> for Unwritten {
+    fn from(error: std::io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+impl From<Failure> for Unwritten {
+    fn from(failure: Failure) -> Self {
+        Self::Failure(failure)
+    }
+}
+
+/// Ctrl-C ends the film after the present picture, without a file; a second one ends the program at once.
+fn interrupts() -> Arc<AtomicBool> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    run::on_interrupt(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    interrupted
+}
+
+/// What was asked for and is not there is the user's to mend; what fails is not.
+fn failed(error: RenderError) -> Failure {
+    match error {
+        RenderError::Read(_) | RenderError::Io { .. } | RenderError::Ffmpeg { .. } => {
+            Failure::run(error)
+        }
+        _ => Failure::input(error),
+    }
+}
+
+fn target(options: &RenderOptions) -> Result<(Form, &Path), Failure> {
+    let ending = |path: &Path| {
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        ending.map(str::to_ascii_lowercase).unwrap_or_default()
+    };
+    let (option, path) = match (&options.output, &options.video) {
+        (Some(path), _) => ("--output", path.as_path()),
+        (None, Some(path)) => ("--video", path.as_path()),
+        (None, None) => return Err(Failure::input("--output FILE.png, or --video FILE")),
+    };
+    let shown = path.display();
+    match (option, ending(path).as_str()) {
+        ("--output", "png") => Ok((Form::Still, path)),
+        ("--output", "mp4" | "gif") => Err(Failure::input(format!(
+            "--output {shown}: a picture is written as .png; for a film, write --video {shown}"
+        ))),
+        ("--output", _) => Err(Failure::input(format!(
+            "--output {shown}: a picture is written as .png"
+        ))),
+        (_, "gif") => Ok((Form::Gif, path)),
+        (_, "mp4") => Ok((Form::Mp4, path)),
+        (_, "png") => Ok((Form::Frames, path)),
+        _ => Err(Failure::input(format!(
+            "--video {shown}: a film is written as .mp4, as .gif, or as pictures, frames/%05d.png"
+        ))),
+    }
+}
+
+fn size(text: &str) -> Result<[u32; 2], Failure> {
+    let sides = text.split_once('x');
+    let sides = sides.and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    match sides {
+        Some(sides) if sides.iter().all(|side| (16..=8192).contains(side)) => Ok(sides),
+        _ => Err(Failure::input(format!(
+            "--size {text}: width and height in pixels, 16 to 8192, such as 1280x720"
+        ))),
+    }
+}
+
+const VIEWS: [&str; 6] = ["top", "north", "south", "east", "west", "orbit"];
+
+fn view(options: &RenderOptions) -> Result<View, Failure> {
+    if let Some(eye) = &options.eye {
+        let eye_m = picture::place("--eye", eye)?;
+        let at = options.look_at.as_deref();
+        let at_m = at
+            .map(|text| picture::place("--look-at", text))
+            .transpose()?;
+        if at_m.is_some_and(|at| (at - eye_m).length() < 1e-6) {
+            return Err(Failure::input(format!(
+                "--eye and --look-at are the same place, {eye_m}: there is no direction between them"
+            )));
+        }
+        return Ok(View::From { eye_m, at_m });
+    }
+    let side = match options.view.as_str() {
+        "top" => Side::Top,
+        "north" => Side::North,
+        "south" => Side::South,
+        "east" => Side::East,
+        "west" => Side::West,
+        "orbit" => {
+            let or = |text: &Option<String>, or: &str| text.clone().unwrap_or(or.to_owned());
+            let bearing = or(&options.bearing, "220 deg");
+            let elevation = or(&options.elevation, "30 deg");
+            let turn = or(&options.turn, "0 deg/s");
+            let turn: AngularRate = turn
+                .parse()
+                .map_err(|e| Failure::input(format!("--turn: {e}")))?;
+            return Ok(View::Orbit {
+                bearing_rad: angle_within("--bearing", &bearing, [-360.0, 360.0])?,
+                elevation_rad: angle_within("--elevation", &elevation, [-89.0, 89.0])?,
+                turn_rad_s: turn.get(),
+            });
+        }
+        other => {
+            return Err(Failure::input(match did_you_mean(other, VIEWS) {
+                Some(guess) => format!("--view {other}: did you mean `{guess}`?"),
+                None => format!("--view {other}: it is one of {}", VIEWS.join(", ")),
+            }));
+        }
+    };
+    for (option, given) in [
+        ("--turn", &options.turn),
+        ("--bearing", &options.bearing),
+        ("--elevation", &options.elevation),
+    ] {
+        if given.is_some() {
+            return Err(Failure::input(format!(
+                "{option}: only --view orbit has it; this is --view {}",
+                options.view
+            )));
+        }
+    }
+    Ok(View::Side(side))
+}
+
+fn fit(word: &str) -> Result<Fit, Failure> {
+    match word {
+        "swarm" => Ok(Fit::Swarm),
+        "world" => Ok(Fit::World),
+        other => Err(Failure::input(format!(
+            "--fit {other}: it is one of swarm, world"
+        ))),
+    }
+}
+
+/// An angle between two, degrees; in rad.
+fn angle_within(option: &str, text: &str, [low, high]: [f64; 2]) -> Result<f64, Failure> {
+    let angle: Angle = text
+        .parse()
+        .map_err(|error| Failure::input(format!("{option}: {error}")))?;
+    let within = angle >= Angle::from_degrees(low) && angle <= Angle::from_degrees(high);
+    match within {
+        true => Ok(angle.get()),
+        false => Err(Failure::input(format!(
+            "{option} {angle}: {low} deg to {high} deg"
+        ))),
+    }
+}

@@ -1,0 +1,124 @@
+//! What goes through the air: links between radios, packets on their way.
+
+use super::RenderError;
+use super::colours::Places;
+use super::film::Choices;
+use simbeeotic_record::Recording;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// How long a packet is seen, s of the film.
+const SEEN_S: f64 = 0.4;
+/// Packets that a picture shows at most, counted at their receivers.
+const PULSES_MAX: usize = 4000;
+/// A link is shown for so long after its period, periods.
+const STALE: f64 = 1.5;
+
+/// Links and packets of a range of time.
+#[derive(Default)]
+pub(super) struct Air {
+    /// When a period ended, ns, how long it was, s, and who heard whom: share of the frames, 0 to 1.
+    links: Vec<(u64, f64, Vec<(usize, usize, f32)>)>,
+    /// When a packet was sent, ns, by whom and to whom.
+    packets: Vec<(u64, usize, Vec<usize>)>,
+    seen_ns: u64,
+}
+
+impl Air {
+    pub(super) fn read(
+        recording: &Recording,
+        choices: &Choices,
+        times_ns: &RangeInclusive<u64>,
+    ) -> Result<Self, RenderError> {
+        let places = Places::of(recording);
+        let seen_ns = (SEEN_S * choices.speed * 1e9).clamp(0.0, 1e15) as u64;
+        let mut air = Self {
+            seen_ns,
+            ..Self::default()
+        };
+        let (from, to) = (*times_ns.start(), *times_ns.end());
+        if choices.links {
+            for period in recording.links_in(0..=u64::MAX) {
+                let period = period?;
+                let length_ns = (period.period_s.max(0.0) * 1e9) as u64;
+                if period.time_ns.saturating_add(2 * length_ns) < from {
+                    continue;
+                }
+                if period.time_ns.saturating_sub(length_ns) > to {
+                    break;
+                }
+                let owner = |radio: u32| {
+                    let path = period.radios.get(radio as usize)?;
+                    Some(places.split(path)?.0)
+                };
+                let mut best: BTreeMap<(usize, usize), f32> = BTreeMap::new();
+                for link in period.links.iter().filter(|link| link.received > 0) {
+                    if let (Some(a), Some(b)) = (owner(link.from), owner(link.to))
+                        && a != b
+                    {
+                        let share = link.received as f32 / link.sent.max(1) as f32;
+                        let known = best.entry((a.min(b), a.max(b))).or_insert(0.0);
+                        *known = known.max(share);
+                    }
+                }
+                let list = best.into_iter().map(|((a, b), share)| (a, b, share));
+                air.links
+                    .push((period.time_ns, period.period_s, list.collect()));
+            }
+            if air.links.is_empty() {
+                return Err(RenderError::Nothing("links"));
+            }
+        }
+        if choices.packets {
+            for packet in recording.packets_in(from.saturating_sub(seen_ns)..=to) {
+                let packet = packet?;
+                let Some((sender, _)) = places.split(&packet.sender) else {
+                    continue;
+                };
+                let heard = packet.receptions.iter();
+                let heard = heard.filter_map(|r| Some(places.split(&r.radio)?.0));
+                air.packets.push((packet.time_ns, sender, heard.collect()));
+            }
+            if air.packets.is_empty() {
+                return Err(RenderError::Nothing("packets"));
+            }
+            air.packets.sort_by_key(|(time_ns, ..)| *time_ns);
+        }
+        Ok(air)
+    }
+
+    /// Who hears whom at a time, and how well.
+    pub(super) fn links(&self, time_ns: u64) -> Vec<(usize, usize, f32)> {
+        let at = self.links.partition_point(|(end_ns, ..)| *end_ns < time_ns);
+        let found = self.links.get(at).or(self.links.last());
+        match found {
+            Some((end_ns, period_s, list))
+                if time_ns <= end_ns.saturating_add((STALE * period_s * 1e9) as u64) =>
+            {
+                list.clone()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The packets on their way at a time: from, to, and how far they are.
+    pub(super) fn pulses(&self, time_ns: u64) -> Vec<(usize, usize, f32)> {
+        let first = time_ns.saturating_sub(self.seen_ns);
+        let from = self
+            .packets
+            .partition_point(|(sent_ns, ..)| *sent_ns < first);
+        let to = self
+            .packets
+            .partition_point(|(sent_ns, ..)| *sent_ns <= time_ns);
+        let mut pulses = Vec::new();
+        for (sent_ns, sender, heard) in &self.packets[from..to] {
+            let share = (time_ns - sent_ns) as f32 / self.seen_ns.max(1) as f32;
+            for receiver in heard {
+                if pulses.len() < PULSES_MAX && receiver != sender {
+                    pulses.push((*sender, *receiver, share.min(1.0)));
+                }
+            }
+        }
+        pulses
+    }
+}

@@ -1,0 +1,216 @@
+//! What moves: vehicles, their trails, links and packets, as triangles.
+
+use super::glyph::{self, Glyph};
+use super::light::{self, mix};
+use super::motion::{Instant, Past};
+use super::painter::{Stand, joined};
+use super::raster::Batch;
+use super::solid::{Facet, facets, turn_of};
+use rayon::prelude::*;
+use simbeeotic_record::Vehicle;
+use simbeeotic_record::stage::Piece;
+use simbeeotic_units::glam::{DVec3, Vec3};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Vehicles whose triangles are made by one thread at a time.
+const SHARE: usize = 128;
+/// Parts of trails that a picture has at most.
+const PARTS_MAX: usize = 400_000;
+/// How wide trails and links are, pixels.
+const TRAIL_PX: f32 = 1.7;
+const LINK_PX: f32 = 1.3;
+
+/// How one vehicle is drawn, as far as that stays the same.
+pub(super) struct Figure {
+    radius_m: f32,
+    alpha: u8,
+    /// Its surface in its body frame, with its own colour, if it is no flyer.
+    body: Option<(Arc<[Facet]>, [u8; 4])>,
+}
+
+impl Figure {
+    /// The figures of vehicles; those that look alike share their surface.
+    pub(super) fn all(vehicles: &[Vehicle]) -> Vec<Self> {
+        let mut known: Vec<(Arc<[Piece]>, Arc<[Facet]>)> = Vec::new();
+        let figure = |vehicle: &Vehicle| {
+            let still = vehicle.role == "station" && !vehicle.pieces.is_empty();
+            let body = still.then(|| {
+                let found = known.iter().find(|(pieces, _)| **pieces == *vehicle.pieces);
+                let surface = match found {
+                    Some((_, surface)) => Arc::clone(surface),
+                    None => {
+                        let surface: Arc<[Facet]> = surface(&vehicle.pieces).into();
+                        known.push((Arc::clone(&vehicle.pieces), Arc::clone(&surface)));
+                        surface
+                    }
+                };
+                let colour = match vehicle.color {
+                    [_, _, _, 0] => [0xb0, 0xb4, 0xba, 255],
+                    colour => colour,
+                };
+                (surface, colour)
+            });
+            Self {
+                radius_m: vehicle.radius_m.clamp(0.0, 1e4) as f32,
+                alpha: if vehicle.role == "ghost" { 120 } else { 255 },
+                body,
+            }
+        };
+        vehicles.iter().map(figure).collect()
+    }
+
+    /// Whether it is drawn as one that flies.
+    pub(super) fn flies(&self) -> bool {
+        self.body.is_none()
+    }
+}
+
+fn surface(pieces: &[Piece]) -> Vec<Facet> {
+    let turned = |piece: &Piece| {
+        let (turn, place) = (turn_of(piece), DVec3::from(piece.position_m));
+        let facets = facets(&piece.form, 24).into_iter();
+        let facets = facets.map(move |facet| Facet {
+            corners: facet
+                .corners
+                .map(|c| (turn * c.as_dvec3() + place).as_vec3()),
+            normals: facet.normals.map(|n| (turn * n.as_dvec3()).as_vec3()),
+        });
+        facets.collect::<Vec<_>>()
+    };
+    pieces.iter().flat_map(turned).collect()
+}
+
+/// Everything that moves, at one instant.
+pub(super) struct Swarm<'a> {
+    pub(super) instant: &'a Instant,
+    pub(super) figures: &'a [Figure],
+    pub(super) colours: &'a [[u8; 3]],
+    /// The smallest radius of a vehicle, pixels.
+    pub(super) least_px: f32,
+    /// Whether the plane `z = 0` takes shadows.
+    pub(super) plane: bool,
+    /// Where they were, the oldest first, and how long a trail is, s.
+    pub(super) past: &'a VecDeque<Past>,
+    pub(super) present: &'a [Past],
+    pub(super) trail_s: f64,
+    /// Lines between two, with how strong they are, 0 to 1.
+    pub(super) links: &'a [(usize, usize, f32)],
+    /// Packets on their way: from, to, how far they are, 0 to 1.
+    pub(super) pulses: &'a [(usize, usize, f32)],
+}
+
+impl Swarm<'_> {
+    pub(super) fn draw(&self, stand: &Stand<'_>) -> Batch {
+        let count = self.figures.len().min(self.instant.places_m.len());
+        let shares: Vec<usize> = (0..count).step_by(SHARE).collect();
+        let parts: Vec<Batch> = shares
+            .into_par_iter()
+            .map(|first| {
+                let mut batch = Batch::default();
+                for at in first..(first + SHARE).min(count) {
+                    self.vehicle(at, stand, &mut batch);
+                }
+                batch
+            })
+            .collect();
+        let mut batch = joined(parts);
+        for (from, to, strong) in self.links {
+            let alpha = (60.0 + 170.0 * strong.clamp(0.0, 1.0)) as u8;
+            let [r, g, b] = mix(stand.theme.grid, [0x1f, 0x77, 0xc9], 0.8);
+            let rgba = [[r, g, b, alpha]; 2];
+            if let (Some(from), Some(to)) = (self.local(*from, stand), self.local(*to, stand)) {
+                stand.line([from, to], rgba, LINK_PX, &mut batch.lines);
+            }
+        }
+        for (from, to, share) in self.pulses {
+            if let (Some(from), Some(to)) = (self.local(*from, stand), self.local(*to, stand)) {
+                let at = from.lerp(to, *share);
+                let alpha = (255.0 * (1.0 - 0.6 * share)) as u8;
+                stand.disc(at, [0xe0, 0x3c, 0x6e, alpha], 2.4, &mut batch.lines);
+            }
+        }
+        batch
+    }
+
+    fn local(&self, at: usize, stand: &Stand<'_>) -> Option<Vec3> {
+        let place = self.instant.places_m.get(at)?;
+        place.is_finite().then(|| stand.projector.local(*place))
+    }
+
+    fn vehicle(&self, at: usize, stand: &Stand<'_>, batch: &mut Batch) {
+        let Some(place) = self.local(at, stand) else {
+            return;
+        };
+        let figure = &self.figures[at];
+        let turn = self.instant.turns[at];
+        if let Some((surface, colour)) = &figure.body {
+            for facet in surface.iter() {
+                let corners = facet
+                    .corners
+                    .map(|c| place + (turn * c.as_dvec3()).as_vec3());
+                let rgba = facet
+                    .normals
+                    .map(|n| light::lit(*colour, (turn * n.as_dvec3()).as_vec3()));
+                let below = corners.map(|c| glyph::on_ground(c, stand.projector.origin_m));
+                if let ([Some(a), Some(b), Some(c)], true) = (below, self.plane) {
+                    stand
+                        .projector
+                        .triangle([a, b, c], rgba, &mut batch.shadows);
+                }
+                let into = match colour[3] {
+                    255 => &mut batch.solid,
+                    _ => &mut batch.glass,
+                };
+                stand.projector.triangle(corners, rgba, into);
+            }
+            return;
+        }
+        if self.trail_s > 0.0 {
+            self.trail(at, place, stand, batch);
+        }
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (turn * axis).as_vec3());
+        let glyph = Glyph {
+            place,
+            axes,
+            radius_m: figure.radius_m,
+            rgb: self.colours[at],
+            alpha: figure.alpha,
+            least_px: self.least_px,
+            fineness: stand.fineness,
+            // From above and from the side, shadows apart from their bees would be so many spots.
+            shadow: self.plane && !stand.projector.is_flat(),
+        };
+        glyph::draw(&glyph, &stand.projector, stand.theme, batch);
+    }
+
+    /// Where it came from, fading.
+    fn trail(&self, at: usize, place: Vec3, stand: &Stand<'_>, batch: &mut Batch) {
+        let now_s = self.instant.time_s;
+        let points = self.past.len() + self.present.len();
+        let stride = (points * self.figures.len()).div_ceil(PARTS_MAX).max(1);
+        let [r, g, b] = self.colours[at];
+        let ink = |time_s: f64| {
+            let left = 1.0 - ((now_s - time_s) / self.trail_s).clamp(0.0, 1.0);
+            [r, g, b, (215.0 * left) as u8]
+        };
+        let mut newer = (place, ink(now_s));
+        let all = self.past.iter().chain(self.present).rev().enumerate();
+        for (k, past) in all {
+            if k % stride != 0 {
+                continue;
+            }
+            let Some(older) = past.places_m.get(at).filter(|place| place.is_finite()) else {
+                break;
+            };
+            let older = (stand.projector.local(*older), ink(past.time_s));
+            stand.line(
+                [older.0, newer.0],
+                [older.1, newer.1],
+                TRAIL_PX,
+                &mut batch.lines,
+            );
+            newer = older;
+        }
+    }
+}

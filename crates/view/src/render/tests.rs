@@ -1,0 +1,271 @@
+//! Pictures of a small recording: always the same, and of what was asked for.
+
+use super::*;
+use simbeeotic_record::stage::{Form, Piece, Prop};
+use simbeeotic_record::{Header, Metric, Metrics, Recorder, Recording, Sample, Stage, Vehicle};
+use simbeeotic_units::math;
+use std::path::Path;
+
+const TICK_NS: u64 = 100_000_000;
+const BEES: usize = 300;
+
+/// Bees on circles, each with its own; a tick each tenth of a second, for two seconds.
+fn record(path: &Path) {
+    let vehicle = |k: usize| Vehicle {
+        path: format!("bee-{k}"),
+        kind: ["instrument-bee", "random-walk-bee"][k % 2].to_owned(),
+        radius_m: 0.05,
+        ..Vehicle::default()
+    };
+    let header = Header {
+        vehicles: (0..BEES).map(vehicle).collect(),
+        ..Header::default()
+    };
+    let mut recorder = Recorder::create(path, header).expect("created");
+    for tick in 0..=20_u64 {
+        let samples = (0..BEES).map(|k| sample(k, tick as f64 * 0.1));
+        recorder.tick(tick * TICK_NS, samples).expect("recorded");
+        let values = (0..BEES).map(|k| Metric {
+            name: format!("bee-{k}/pollen"),
+            unit: "1".to_owned(),
+            value: k as f64 * 0.1,
+        });
+        let metrics = Metrics {
+            time_ns: tick * TICK_NS,
+            values: values.collect(),
+        };
+        recorder.metrics(metrics).expect("recorded");
+    }
+    let summary = serde_json::json!({});
+    recorder.finish(&summary).expect("finished");
+}
+
+fn sample(k: usize, time_s: f64) -> Sample {
+    let (radius, height) = (1.0 + k as f64 * 0.03, 1.0 + (k % 17) as f64 * 0.2);
+    let angle = k as f64 + time_s / radius;
+    let (sin, cos) = math::sin_cos(angle);
+    let (half_sin, half_cos) = math::sin_cos(0.5 * angle + std::f64::consts::FRAC_PI_4);
+    Sample {
+        position_m: [radius * cos, radius * sin, height],
+        world_from_body: [half_cos, 0.0, 0.0, half_sin],
+        velocity_m_s: [-sin, cos, 0.0],
+        rate_rad_s: [0.0, 0.0, 1.0 / radius],
+    }
+}
+
+/// A tower, a glass house and a ball.
+fn stage() -> Stage {
+    let prop = |form, position_m, color| Prop {
+        kind: "obstacle".to_owned(),
+        color,
+        pieces: vec![Piece {
+            position_m,
+            ..Piece::at_origin(form)
+        }],
+        ..Prop::default()
+    };
+    let tower = Form::Cylinder {
+        radius_m: 1.0,
+        top_m: 0.5,
+        half_height_m: 2.0,
+    };
+    let house = Form::Box {
+        half_m: [2.0, 1.0, 1.0],
+    };
+    let ball = Form::Sphere { radius_m: 0.8 };
+    Stage {
+        ground: [125, 163, 106, 255],
+        radius_m: 100.0,
+        plane: true,
+        props: vec![
+            prop(tower, [3.0, 2.0, 2.0], [160, 110, 90, 255]),
+            prop(house, [-4.0, -1.0, 1.0], [150, 190, 220, 120]),
+            prop(ball, [1.0, -4.0, 0.8], [200, 80, 60, 255]),
+        ],
+    }
+}
+
+fn opened(test: impl FnOnce(&Recording)) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("run.mcap");
+    record(&path);
+    test(&Recording::open(&path).expect("opens"));
+}
+
+fn orbit() -> Choices {
+    Choices {
+        size: [320, 180],
+        view: View::Orbit {
+            bearing_rad: 3.8,
+            elevation_rad: 0.5,
+            turn_rad_s: 0.0,
+        },
+        trail_s: 1.0,
+        ..Choices::default()
+    }
+}
+
+fn taken(recording: &Recording, choices: Choices, times_ns: &[u64]) -> Vec<Picture> {
+    let range = times_ns[0]..=times_ns[times_ns.len() - 1];
+    let mut film = Film::new(recording, &stage(), choices, range).expect("a film");
+    times_ns
+        .iter()
+        .map(|time_ns| film.picture(*time_ns).expect("a picture"))
+        .collect()
+}
+
+fn hash(pictures: &[Picture]) -> u64 {
+    let bytes = pictures.iter().flat_map(|picture| &picture.rgb);
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+const TIMES: [u64; 3] = [1_000_000_000, 1_040_000_000, 1_530_000_000];
+
+#[test]
+fn a_picture_is_the_same_on_any_number_of_threads() {
+    opened(|recording| {
+        let drawn = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let pool = pool.expect("threads");
+            pool.install(|| taken(recording, orbit(), &TIMES))
+        };
+        let one = drawn(1);
+        for threads in [2, 3, 8] {
+            assert_eq!(one, drawn(threads), "{threads} threads");
+        }
+        // And it is a picture: at other times it is another one.
+        assert_ne!(one[0], one[2]);
+    });
+}
+
+#[test]
+fn pictures_are_those_that_were_looked_at() {
+    opened(|recording| {
+        let plain = |choices| Choices {
+            captions: false,
+            ..choices
+        };
+        let top = Choices {
+            view: View::Side(Side::Top),
+            colour_by: ColourBy::Speed,
+            ..orbit()
+        };
+        let hashes = [orbit(), top].map(|choices| hash(&taken(recording, plain(choices), &TIMES)));
+        assert_eq!(hashes.map(|hash| format!("{hash:016x}")), GOLDEN);
+    });
+}
+
+/// To be changed when pictures are to look different, and they have been looked at.
+const GOLDEN: [&str; 2] = ["fd47df07cbbbe556", "c725b362b9eb6fe0"];
+
+#[test]
+fn a_picture_alone_is_that_of_the_film() {
+    opened(|recording| {
+        let choices = || Choices {
+            trail_s: 0.0,
+            ..orbit()
+        };
+        let mut film =
+            Film::new(recording, &stage(), choices(), 0..=2_000_000_000).expect("a film");
+        let first = film.picture(500_000_000).expect("a picture");
+        film.picture(1_500_000_000).expect("a picture");
+        // Back again, and in other steps.
+        film.picture(220_000_000).expect("a picture");
+        assert_eq!(film.picture(500_000_000).expect("a picture"), first);
+    });
+}
+
+#[test]
+fn the_followed_one_is_in_the_middle() {
+    opened(|recording| {
+        let choices = Choices {
+            follow: Some("bee-123".to_owned()),
+            view: View::Side(Side::Top),
+            captions: false,
+            trail_s: 0.0,
+            zoom: 4.0,
+            ..orbit()
+        };
+        let empty = Stage {
+            plane: true,
+            ..stage()
+        };
+        let empty = Stage {
+            props: Vec::new(),
+            ..empty
+        };
+        let mut film = Film::new(recording, &empty, choices, 0..=2_000_000_000).expect("a film");
+        for time_ns in [0, 700_000_000, 1_930_000_000] {
+            let picture = film.picture(time_ns).expect("a picture");
+            let middle = 3 * (90 * 320 + 160);
+            let [r, _, b] = [0, 1, 2].map(|k| picture.rgb[middle + k]);
+            // A bee, and not the pale ground.
+            assert!(
+                r.abs_diff(b) > 30 || r < 90,
+                "{:?}",
+                &picture.rgb[middle..middle + 3]
+            );
+        }
+    });
+}
+
+#[test]
+fn what_is_not_there_says_what_is() {
+    opened(|recording| {
+        let said = |choices: Choices, times: std::ops::RangeInclusive<u64>| {
+            let film = Film::new(recording, &stage(), choices, times);
+            film.err().expect("an error").to_string()
+        };
+        let follow = |path: &str| Choices {
+            follow: Some(path.to_owned()),
+            ..orbit()
+        };
+        let metric = |name: &str| Choices {
+            colour_by: ColourBy::named(name),
+            ..orbit()
+        };
+        for (text, parts) in [
+            (
+                said(orbit(), 0..=2_100_000_000),
+                ["2.1 s", "from 0 s to 2 s"],
+            ),
+            (
+                said(follow("bee_7"), 0..=0),
+                ["`bee_7`", "did you mean `bee-7`?"],
+            ),
+            (said(follow("queen"), 0..=0), ["300", "`bee-299`"]),
+            (
+                said(metric("polen"), 0..=0),
+                ["`polen`", "did you mean `pollen`?"],
+            ),
+            (said(metric("battery"), 0..=0), ["`battery`", "pollen"]),
+            (
+                said(
+                    Choices {
+                        links: true,
+                        ..orbit()
+                    },
+                    0..=0,
+                ),
+                ["links", "packets = "],
+            ),
+            (
+                said(
+                    Choices {
+                        size: [8, 8],
+                        ..orbit()
+                    },
+                    0..=0,
+                ),
+                ["8 x 8", "16 to 8192"],
+            ),
+        ] {
+            for part in parts {
+                assert!(text.contains(part), "{part}: {text}");
+            }
+        }
+        assert!(Film::new(recording, &stage(), metric("pollen"), 0..=0).is_ok());
+    });
+}
