@@ -17,5 +17,6 @@ mod plot_runs;
 mod program;
 mod radio;
 mod shelf;
+mod view;
 mod walls;
 mod world;

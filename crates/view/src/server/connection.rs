@@ -24,18 +24,13 @@ pub(super) const WRITE_TIME: Duration = Duration::from_secs(20);
 pub(super) struct Door(Mutex<(u64, BTreeMap<u64, TcpStream>)>);
 
 impl Door {
-    fn open(&self, stream: &TcpStream) -> Option<u64> {
+    fn open(&self, stream: &TcpStream) -> Option<Entry<'_>> {
         let clone = stream.try_clone().ok()?;
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.0 += 1;
         let number = all.0;
         all.1.insert(number, clone);
-        Some(number)
-    }
-
-    fn close(&self, number: u64) {
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.1.remove(&number);
+        Some(Entry { door: self, number })
     }
 
     pub(super) fn close_all(&self) {
@@ -46,15 +41,29 @@ impl Door {
     }
 }
 
+/// A connection that is open; forgotten when it is dropped.
+struct Entry<'a> {
+    door: &'a Door,
+    number: u64,
+}
+
+impl Drop for Entry<'_> {
+    fn drop(&mut self) {
+        let mut all = self.door.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.1.remove(&self.number);
+    }
+}
+
 /// One of a limited number; given back when it is dropped.
 struct Place<'a>(&'a AtomicUsize);
 
 impl<'a> Place<'a> {
     fn take(count: &'a AtomicUsize, most: usize) -> Option<Self> {
         let taken = count.fetch_update(Ordering::AcqRel, Ordering::Acquire, |n| {
-            (n < most).then_some(n + 1)
+            (n < most).then(|| n + 1)
         });
-        taken.is_ok().then_some(Self(count))
+        // Made only if it was taken: it is given back when it is dropped.
+        taken.is_ok().then(|| Self(count))
     }
 }
 
@@ -90,9 +99,8 @@ pub(super) fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
                 let Some(_place) = Place::take(&shared.connections, CONNECTIONS_MAX) else {
                     return turn_away(&stream);
                 };
-                if let Some(number) = shared.door.open(&stream) {
+                if let Some(_entry) = shared.door.open(&stream) {
                     serve(stream, &shared);
-                    shared.door.close(number);
                 }
             });
     }
@@ -180,5 +188,23 @@ fn send(mut stream: TcpStream, head: &[u8], body: &[u8]) {
             Ok(count) if count > 0 => {}
             _ => return,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_finds_no_place_gives_none_back() {
+        let count = AtomicUsize::new(0);
+        let first = Place::take(&count, 1);
+        assert!(first.is_some());
+        assert!(Place::take(&count, 1).is_none());
+        assert!(Place::take(&count, 1).is_none());
+        assert_eq!(count.load(Ordering::Relaxed), 1);
+        drop(first);
+        assert_eq!(count.load(Ordering::Relaxed), 0);
+        assert!(Place::take(&count, 1).is_some());
     }
 }

@@ -8,13 +8,18 @@ use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
 /// How long a test waits for what must come.
-pub const PATIENCE: Duration = Duration::from_secs(30);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(30);
 
 /// A page that is connected.
-pub struct Client(pub WebSocket<TcpStream>);
+pub(crate) struct Client(pub(crate) WebSocket<TcpStream>);
 
 /// Asks for the WebSocket, and returns the status if it is refused.
-pub fn connect(at: SocketAddr, host: &str, origin: &str, query: &str) -> Result<Client, u16> {
+pub(crate) fn connect(
+    at: SocketAddr,
+    host: &str,
+    origin: &str,
+    query: &str,
+) -> Result<Client, u16> {
     let mut request = format!("ws://{host}/stream{query}")
         .into_client_request()
         .expect("a request");
@@ -34,17 +39,17 @@ pub fn connect(at: SocketAddr, host: &str, origin: &str, query: &str) -> Result<
 
 impl Client {
     /// Our own page.
-    pub fn new(at: SocketAddr) -> Self {
+    pub(crate) fn new(at: SocketAddr) -> Self {
         let host = at.to_string();
         connect(at, &host, &format!("http://{host}"), "").expect("our own page is let in")
     }
 
-    pub fn say(&mut self, text: &str) {
+    pub(crate) fn say(&mut self, text: &str) {
         self.0.send(Message::text(text)).expect("it is open");
     }
 
     /// The next text message; binary ones are skipped.
-    pub fn hear(&mut self) -> Option<Value> {
+    pub(crate) fn hear(&mut self) -> Option<Value> {
         loop {
             match self.0.read() {
                 Ok(Message::Text(text)) => {
@@ -57,7 +62,7 @@ impl Client {
     }
 
     /// The next text message of a type.
-    pub fn hear_a(&mut self, kind: &str) -> Value {
+    pub(crate) fn hear_a(&mut self, kind: &str) -> Value {
         let begun = Instant::now();
         while begun.elapsed() < PATIENCE {
             match self.hear() {
@@ -71,7 +76,7 @@ impl Client {
 }
 
 /// Sends bytes, and reads all that comes back.
-pub fn raw(at: SocketAddr, bytes: &[u8]) -> String {
+pub(crate) fn raw(at: SocketAddr, bytes: &[u8]) -> String {
     let mut stream = TcpStream::connect(at).expect("the server accepts");
     stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
     let _ = stream.write_all(bytes);
@@ -81,7 +86,7 @@ pub fn raw(at: SocketAddr, bytes: &[u8]) -> String {
 }
 
 /// Waits for something that happens on another thread.
-pub fn until(what: &str, mut is: impl FnMut() -> bool) {
+pub(crate) fn until(what: &str, mut is: impl FnMut() -> bool) {
     let begun = Instant::now();
     while !is() {
         assert!(begun.elapsed() < PATIENCE, "it takes too long: {what}");

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 /// A source that counts what is commanded, answers what is asked, and sends as much as it can.
 #[derive(Default)]
-pub struct Echo {
+pub(crate) struct Echo {
     pauses: AtomicU64,
     /// Bytes of frames made for all pages.
     made: AtomicU64,
@@ -66,7 +66,7 @@ impl Page for EchoPage {
 }
 
 /// A server that sends frames of so many bytes.
-pub fn serve(frame: usize) -> (Server, Arc<Echo>, SocketAddr) {
+pub(crate) fn serve(frame: usize) -> (Server, Arc<Echo>, SocketAddr) {
     let options = Options {
         port: Some(0),
         ..Options::default()

@@ -33,6 +33,7 @@ mod process;
 mod radio;
 mod report;
 mod table;
+mod view;
 mod workload;
 
 use super::{Failure, input, remark, say, show};
@@ -52,6 +53,8 @@ pub(super) enum Experiment {
     Fig8(fig8::Options),
     /// What gets through on one IEEE 802.15.4 channel: broadcasts on a topology from a file
     Radio(radio::Options),
+    /// What it costs to be looked at: no viewer, one without a page, one with
+    View(view::Options),
 }
 
 pub(super) fn bench(experiment: &Experiment) -> Result<(), Failure> {
@@ -60,5 +63,6 @@ pub(super) fn bench(experiment: &Experiment) -> Result<(), Failure> {
         Experiment::Fig7(options) => fig7::fig7(options),
         Experiment::Fig8(options) => fig8::fig8(options),
         Experiment::Radio(options) => radio::radio(options),
+        Experiment::View(options) => view::view(options),
     }
 }

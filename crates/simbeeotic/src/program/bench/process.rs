@@ -16,6 +16,18 @@ pub(super) fn cpu_s() -> Option<f64> {
     None
 }
 
+/// Processor time that this thread has used, s. `None` where there is no such clock.
+pub(super) fn thread_cpu_s() -> Option<f64> {
+    #[cfg(unix)]
+    {
+        use rustix::time::{ClockId, clock_gettime};
+        let time = clock_gettime(ClockId::ThreadCPUTime);
+        Some(time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9)
+    }
+    #[cfg(not(unix))]
+    None
+}
+
 /// Processor time of each living thread of this process, s, by its number; empty where there is no
 /// `/proc`. The kernel brings it up to date every few milliseconds.
 pub(super) fn threads_cpu_s() -> BTreeMap<String, f64> {

@@ -1,0 +1,189 @@
+//! Looking at a run changes nothing, whoever looks and however.
+
+use simbeeotic::scenario::{Request, load_text};
+use simbeeotic::view::live::{Viewer, ViewerParams};
+use simbeeotic_model::{FromParams, Simulation};
+use std::io::Read;
+use std::net::TcpStream;
+use std::thread::JoinHandle;
+use std::time::Duration;
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
+
+const SCENARIO: &str = r#"
+[run]
+seed = 7
+end_time = "3 s"
+
+[[model]]
+use = "instrument-bee"
+name = "bee"
+count = 60
+start = { ball = "2 m", center = ["0 m", "0 m", "4 m"] }
+
+[model.vehicle]
+use = "simple-bee"
+bee_collisions = true
+
+[model.sensor.compass]
+use = "compass"
+
+[model.radio]
+use = "cc2420"
+
+[channel]
+medium = "ieee802154"
+"#;
+
+/// A page: takes its socket, does what it likes, and says what it saw.
+type PageOf = fn(WebSocket<TcpStream>) -> usize;
+
+fn connect(place: &str) -> WebSocket<TcpStream> {
+    let mut request = format!("ws://{place}/stream")
+        .into_client_request()
+        .expect("a request");
+    let origin = format!("http://{place}").parse().expect("a header");
+    request.headers_mut().insert("Origin", origin);
+    let stream = TcpStream::connect(place).expect("the viewer listens");
+    let timeout = Some(Duration::from_secs(60));
+    stream.set_read_timeout(timeout).expect("a timeout");
+    tungstenite::client(request, stream)
+        .expect("our page is let in")
+        .0
+}
+
+/// Runs the scenario with a viewer and these pages; the trace hash, and what the pages say.
+fn watched(pages: &[PageOf], paused: bool) -> (String, Vec<usize>) {
+    let loaded = load_text("view", SCENARIO, &Request::default()).expect("it is right");
+    let mut setup = loaded.setup().expect("it is right");
+    // Slow enough to be seen, and fast enough for a test.
+    setup.pace = Some(3.0);
+    let params = ViewerParams {
+        port: Some(0),
+        paused,
+        ..ViewerParams::default()
+    };
+    let mut viewer = Viewer::from_params(params).expect("it is right");
+    let url = viewer.bind().expect("a free port");
+    setup
+        .components
+        .push(("viewer".to_owned(), Box::new(viewer)));
+    let place = url
+        .trim_start_matches("http://")
+        .trim_end_matches('/')
+        .to_owned();
+    let pages: Vec<JoinHandle<usize>> = (pages.iter().copied())
+        .map(|page| {
+            let place = place.clone();
+            std::thread::spawn(move || page(connect(&place)))
+        })
+        .collect();
+    let mut simulation = Simulation::new(setup).expect("it can be built");
+    let outcome = simulation.run();
+    assert!(outcome.error.is_none(), "{:?}", outcome.error);
+    drop(simulation);
+    let seen = pages
+        .into_iter()
+        .map(|page| page.join().expect("the page did well"));
+    (outcome.summary.trace_hash, seen.collect())
+}
+
+fn say(page: &mut WebSocket<TcpStream>, text: impl Into<String>) {
+    let text: String = text.into();
+    let _ = page.send(Message::text(text));
+}
+
+/// Takes every frame until it is closed; does `at` with the number of each.
+fn take_frames(
+    page: &mut WebSocket<TcpStream>,
+    mut at: impl FnMut(&mut WebSocket<TcpStream>, usize),
+) -> usize {
+    let mut frames = 0;
+    while let Ok(message) = page.read() {
+        if let Message::Binary(bytes) = message
+            && bytes.first() == Some(&1)
+        {
+            frames += 1;
+            let time = f64::from_le_bytes(bytes[8..16].try_into().expect("eight bytes"));
+            say(page, format!("{{\"type\":\"got\",\"time_s\":{time}}}"));
+            at(page, frames);
+        }
+    }
+    frames
+}
+
+fn eager(mut page: WebSocket<TcpStream>) -> usize {
+    say(&mut page, r#"{"type":"select","vehicle":3}"#);
+    take_frames(&mut page, |_, _| {})
+}
+
+/// Reads a byte now and then.
+fn slow(page: WebSocket<TcpStream>) -> usize {
+    let mut stream = page.into_inner();
+    let mut byte = [0];
+    let mut read = 0;
+    while stream.read(&mut byte).is_ok_and(|n| n > 0) && read < 20 {
+        read += 1;
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    1
+}
+
+/// Is gone after five frames, without a word.
+fn killed(mut page: WebSocket<TcpStream>) -> usize {
+    let mut frames = 0;
+    while frames < 5 {
+        match page.read() {
+            Ok(Message::Binary(bytes)) if bytes.first() == Some(&1) => {
+                frames += 1;
+                say(&mut page, r#"{"type":"got","time_s":1e9}"#);
+            }
+            Ok(_) => {}
+            Err(_) => break,
+        }
+    }
+    frames
+}
+
+/// Pauses, steps by instants and by time, selects, changes the pace, and goes on.
+fn steering(mut page: WebSocket<TcpStream>) -> usize {
+    take_frames(&mut page, |page, frame| match frame {
+        3 => say(page, r#"{"type":"pause"}"#),
+        4 => say(page, r#"{"type":"step","instants":5}"#),
+        5 => say(page, r#"{"type":"step","seconds":0.05}"#),
+        6 => {
+            say(page, r#"{"type":"select","vehicle":1}"#);
+            say(page, r#"{"type":"pace","factor":2.0}"#);
+            say(page, r#"{"type":"resume"}"#);
+        }
+        _ => {}
+    })
+}
+
+/// Lets a run go that waits for it.
+fn starting(mut page: WebSocket<TcpStream>) -> usize {
+    say(&mut page, r#"{"type":"resume"}"#);
+    take_frames(&mut page, |_, _| {})
+}
+
+#[test]
+fn viewers_do_not_show_in_the_trace() {
+    let loaded = load_text("view", SCENARIO, &Request::default()).expect("it is right");
+    let setup = loaded.setup().expect("it is right");
+    let mut simulation = Simulation::new(setup).expect("it can be built");
+    let plain = simulation.run().summary.trace_hash;
+
+    assert_eq!(watched(&[], false).0, plain, "nobody looks");
+    let (hash, frames) = watched(&[eager], false);
+    assert_eq!(hash, plain, "one looks");
+    assert!(frames[0] > 5, "{frames:?}");
+    let (hash, frames) = watched(&[eager, slow, killed], false);
+    assert_eq!(hash, plain, "three look, one slowly, one is killed");
+    assert!(frames[0] > 5 && frames[2] == 5, "{frames:?}");
+    let (hash, frames) = watched(&[steering], false);
+    assert_eq!(hash, plain, "one steers");
+    assert!(frames[0] > 6, "{frames:?}");
+    let (hash, frames) = watched(&[starting], true);
+    assert_eq!(hash, plain, "one starts it");
+    assert!(frames[0] > 5, "{frames:?}");
+}
