@@ -35,6 +35,7 @@ pub mod instance;
 mod kit;
 mod line;
 pub mod message;
+mod metrics;
 pub mod model;
 pub mod objects;
 pub mod packets;
@@ -66,6 +67,7 @@ pub use host::{Bee, Bodiless, Cx, Entity, Flying, Host, Platform, Ray, Seen, Sta
 pub use image::{Image, Pixels};
 pub use line::Crossing;
 pub use message::{Message, Thing, Touch};
+pub use metrics::{ModelMetric, Tally};
 pub use model::{Model, Wake};
 pub use packets::{Listener, OnAir, Reception, Transmission};
 pub use population::{Member, Population};

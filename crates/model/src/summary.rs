@@ -43,6 +43,9 @@ pub struct Summary {
     /// The batteries; absent if there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub batteries: Option<Batteries>,
+    /// What models have published, by name; absent if nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub metrics: Vec<MetricLine>,
     /// How late a paced run was; absent when it ran as fast as it could.
     pub lateness: Option<Lateness>,
     /// Hash of everything that happened: equal hashes, equal runs.
@@ -111,6 +114,27 @@ pub struct Batteries {
     pub charged_j: f64,
     /// Energy turned into heat in the batteries, J.
     pub heat_j: f64,
+}
+
+/// One metric over all models: their number, and what their last values come to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct MetricLine {
+    /// Its name.
+    pub name: String,
+    /// What it is counted in.
+    pub unit: String,
+    /// How many models have published it.
+    pub models: usize,
+    /// How many values they have published.
+    pub count: u64,
+    /// The sum of the last values.
+    pub sum: f64,
+    /// Their mean.
+    pub mean: f64,
+    /// The least of them.
+    pub min: f64,
+    /// The greatest.
+    pub max: f64,
 }
 
 /// How late a paced run was.

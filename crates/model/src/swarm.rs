@@ -14,6 +14,7 @@ use crate::fold;
 use crate::host::Cx;
 use crate::instance::GearPlan;
 use crate::message::{Message, Thing, Touch};
+use crate::metrics::Metrics;
 use crate::model::{Model, Wake as ModelWake};
 use crate::packets::{OnAir, PacketWatch, Reception};
 use crate::population::Population;
@@ -223,6 +224,8 @@ pub struct Swarm {
     pub(crate) watched: Vec<u64>,
     /// The radios whose frames somebody looks at, if there are any.
     pub(crate) packet_watch: Option<Box<PacketWatch>>,
+    /// What models have published, summed up.
+    pub(crate) metrics: Metrics,
     /// The names of each model's sensors: those of one section share them.
     pub(crate) gear: Vec<Arc<GearPlan>>,
     /// Wall-clock time of collecting packets, which runs inside the models' parallel phase.
@@ -622,6 +625,7 @@ impl Domain for Swarm {
             Effect::Metric { name, value, unit } => {
                 fold::bytes(name.as_bytes(), cx);
                 cx.fold(value.to_bits());
+                self.metrics.add(id, name, value, unit);
                 let time = cx.now();
                 self.mark(|| Mark::Metric {
                     time,

@@ -3,6 +3,7 @@
 use crate::energy::{Battery, BatteryState, Books, Effort};
 use crate::host::{Ray, Seen};
 use crate::line::Line;
+use crate::metrics::ModelMetric;
 use crate::population::Population;
 use crate::scene::{Scene, color_of};
 use crate::sees::SeesWhat;
@@ -363,6 +364,11 @@ impl<'a> View<'a> {
     pub fn marks(&self) -> &'a [Mark] {
         self.shown.store(true, Ordering::Relaxed);
         self.marks
+    }
+
+    /// What each model has published so far, by name, then by model. Summed up anew at each call.
+    pub fn metrics(&self) -> Vec<ModelMetric> {
+        self.swarm.metrics.by_model()
     }
 
     /// The paths of all radios, by id: `bee-17/radio`. Made anew at each call.

@@ -117,5 +117,9 @@ mod surroundings_in_the_book {}
 mod radio_in_the_book {}
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/book/src/metrics.md")]
+mod metrics_in_the_book {}
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/book/src/radio-hardware.md")]
 mod radio_hardware_in_the_book {}

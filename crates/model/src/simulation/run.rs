@@ -3,6 +3,7 @@
 use super::setup::{Setup, SetupError, assemble};
 use crate::component::{Component, ComponentError};
 use crate::energy::{Accounts, BatteryState, Books, Condition, Consumer};
+use crate::metrics::ModelMetric;
 use crate::population::Population;
 use crate::scene::Scene;
 use crate::summary::{Batteries, ChargeLine, Lateness, Packets, Summary, TimeShares};
@@ -182,6 +183,11 @@ impl Simulation {
         let id = self.population().find(path)?;
         let core = &self.engine.agents()[id.index()].core;
         self.engine.domain().battery(core, self.now())
+    }
+
+    /// What each model has published so far, by name, then by model.
+    pub fn metrics(&self) -> Vec<ModelMetric> {
+        self.engine.domain().metrics.by_model()
     }
 
     /// The trace so far.
@@ -447,6 +453,7 @@ impl Simulation {
                 })
                 .collect(),
             batteries,
+            metrics: swarm.metrics.lines(),
             lateness: engine.control().factor().map(|_| Lateness {
                 late: lateness.late,
                 max_ms: lateness.max.as_secs_f64() * 1e3,

@@ -5,6 +5,7 @@ use crate::config::Fault;
 use crate::energy::{Consumer, Drawn, Onboard};
 use crate::instance::{GearPlan, Instance};
 use crate::message::Thing;
+use crate::metrics::Metrics;
 use crate::population::{Member, Population};
 use crate::registry::{ModelFactory, VehicleFactory};
 use crate::scene::Look;
@@ -200,6 +201,7 @@ pub(super) fn assemble(setup: &mut Setup) -> Result<(Swarm, Vec<Agent>), SetupEr
         keep_marks: false,
         watched: Vec::new(),
         packet_watch: None,
+        metrics: Metrics::default(),
         gear: gears,
         radio_nanos: AtomicU64::new(0),
         medium_nanos: 0,

@@ -102,6 +102,7 @@ Examples:
   simbeeotic run scenarios/first-swarm.toml --set model.bee.count=1000
   simbeeotic run scenarios/first-swarm.toml --set model.bee.params.max_speed=\"3 m/s\"
   simbeeotic run scenarios/figure12.toml --record run.mcap
+  simbeeotic run scenarios/flood.toml --summary flood.parquet
   simbeeotic run scenarios/first-swarm.toml --view --open --paused
 
 Ctrl-C or SIGTERM ends a run early: its recording is closed, its summary shown, the exit code 130.";
@@ -180,6 +181,9 @@ pub(super) struct RunOptions {
     /// Do not record, whatever the scenario says
     #[arg(long)]
     pub(super) no_record: bool,
+    /// Write the numbers of the run to this file as a table: .parquet, .csv or .json
+    #[arg(long, value_name = "FILE")]
+    pub(super) summary: Option<PathBuf>,
     /// Print what models write to the log, as it happens
     #[arg(long)]
     pub(super) log: bool,

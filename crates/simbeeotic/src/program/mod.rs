@@ -24,6 +24,7 @@ mod render_arguments;
 mod run;
 mod shelf;
 mod show;
+mod summary;
 mod view;
 mod world;
 

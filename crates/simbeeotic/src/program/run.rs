@@ -2,6 +2,7 @@
 
 use super::arguments::{Factor, RunOptions, ScenarioOptions};
 use super::input::{self, time};
+use super::summary::SummaryFile;
 use super::{Failure, complain, remark, same_file, say, show, view};
 use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
@@ -20,6 +21,8 @@ use std::time::Instant;
 )]
 pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     let started = Instant::now();
+    let table = options.summary.as_deref().map(SummaryFile::new);
+    let table = table.transpose()?;
     let loaded = input::load(&options.scenario, options.quiet)?;
     let mut setup = input::setup(&loaded)?;
     if let Some(threads) = options.threads {
@@ -37,6 +40,7 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
         setup.limits.wall = std::time::Duration::try_from_secs_f64(wall.get()).ok();
     }
     choose_recording(&mut setup, &loaded, &options)?;
+    refuse_input("--summary", options.summary.as_deref(), &options)?;
     let visitors = view::choose_viewer(&mut setup, &loaded, &options)?;
     if options.log {
         setup
@@ -59,6 +63,7 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
         // A component did not start: there was no run, and there is nothing to sum up.
         return Err(Failure::input(error));
     }
+    let written = table.map_or(Ok(()), |table| table.write(&simulation, summary));
     let ended = match &outcome.error {
         // It is shown below.
         Some(_) => "failed",
@@ -76,7 +81,7 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     };
     let mut result = match &outcome.error {
         Some(error) => Err(Failure::run(error)),
-        None => said,
+        None => said.and(written),
     };
     if let Some(visitors) = visitors
         && !interrupted.load(Ordering::Relaxed)
@@ -144,18 +149,24 @@ fn choose_recording(
     let Some(path) = &options.record else {
         return Ok(());
     };
-    let scenario = &options.scenario;
-    let mut inputs = std::iter::once(&scenario.scenario).chain(&scenario.world);
-    if inputs.any(|input| same_file(input, path)) {
-        return Err(Failure::input(format!(
-            "--record {}: this is an input of the run",
-            path.display()
-        )));
-    }
+    refuse_input("--record", Some(path), options)?;
     let component = recorder(path, loaded)?;
     setup.components.retain(|(name, _)| name != RECORDER);
     setup.components.push((RECORDER.to_owned(), component));
     Ok(())
+}
+
+/// An error if a file to be written is one that the run is read from.
+fn refuse_input(flag: &str, file: Option<&Path>, options: &RunOptions) -> Result<(), Failure> {
+    let scenario = &options.scenario;
+    let mut inputs = std::iter::once(&scenario.scenario).chain(&scenario.world);
+    match file {
+        Some(file) if inputs.any(|input| same_file(input, file)) => Err(Failure::input(format!(
+            "{flag} {}: this is an input of the run",
+            file.display()
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// The recorder's name on the shelf.

@@ -118,6 +118,31 @@ pub(super) fn threads(threads: usize) -> String {
     }
 }
 
+/// The metrics that stand in a printed summary.
+const METRICS_SHOWN: usize = 6;
+
+/// Any number with about three digits that count.
+fn number(value: f64) -> String {
+    match value.abs() {
+        zero if zero == 0.0 => "0".to_owned(),
+        usual if (1e-3..1e9).contains(&usual) && value < 0.0 => format!("-{}", plain(usual)),
+        usual if (1e-3..1e9).contains(&usual) => plain(usual),
+        _ => format!("{value:.2e}"),
+    }
+}
+
+/// Three digits that count, and no zeros behind the point.
+fn plain(number: f64) -> String {
+    let digits = three_digits(number);
+    match digits.contains('.') {
+        true => digits
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned(),
+        false => digits,
+    }
+}
+
 /// A positive number with three digits that count, or all of its whole ones.
 fn three_digits(number: f64) -> String {
     let decimals = (2.0 - math::log10(number).floor()).clamp(0.0, 14.0);
@@ -230,6 +255,25 @@ pub(super) fn summary(summary: &Summary, ended: &str) -> String {
             ),
         );
     }
+    for metric in s.metrics.iter().take(METRICS_SHOWN) {
+        let [sum, mean, min, max] = [metric.sum, metric.mean, metric.min, metric.max].map(number);
+        let unit = match metric.unit.as_str() {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        };
+        let text = match metric.models {
+            1 => format!("{sum}{unit} (1 model)"),
+            models => format!(
+                "{mean}{unit} on average, {min} to {max}, {sum} in all ({} models)",
+                HumanCount(models as u64)
+            ),
+        };
+        line(&metric.name, text);
+    }
+    if s.metrics.len() > METRICS_SHOWN {
+        let more = s.metrics.len() - METRICS_SHOWN;
+        line("metrics", format!("{more} more: --summary FILE has them"));
+    }
     if let Some(late) = &s.lateness {
         line(
             "late",
@@ -254,11 +298,23 @@ pub(super) fn bytes(bytes: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::three_digits;
+    use super::{number, three_digits};
 
     #[test]
     fn small_shares_are_not_zero() {
         let shown = [1106.97, 273.7, 83.33, 8.333, 0.8333, 0.000_412_6].map(three_digits);
         assert_eq!(shown, ["1107", "274", "83.3", "8.33", "0.833", "0.000413"]);
+    }
+
+    #[test]
+    fn metrics_of_any_size_are_short() {
+        let all = [0.0, 7.0, -7.25, 1234.0, 0.5, 1e-9, -3e12, f64::INFINITY];
+        let shown = all.map(number);
+        assert_eq!(
+            shown,
+            [
+                "0", "7", "-7.25", "1234", "0.5", "1.00e-9", "-3.00e12", "inf"
+            ]
+        );
     }
 }

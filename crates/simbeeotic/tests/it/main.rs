@@ -11,6 +11,7 @@ mod figures;
 mod golden;
 mod held;
 mod layers;
+mod metrics;
 mod operator;
 mod plot;
 mod plot_runs;
