@@ -246,6 +246,13 @@ fn short(value: f64) -> String {
 }
 
 impl View<'_> {
+    /// A number that models of one section of the scenario share: what they are made of is the same, so that one
+    /// need be asked for all. It means nothing else, and differs from run to run.
+    pub fn section(&self, id: ModelId) -> Option<usize> {
+        let gear = self.swarm.gear.get(id.index())?;
+        Some(std::sync::Arc::as_ptr(gear).addr())
+    }
+
     /// What a model is, as far as it stays the same for the whole run. Worked out anew at each call, from
     /// what its section of the scenario says; a run that was put together without a scenario has no parts.
     pub fn about(&self, id: ModelId) -> About {

@@ -14,9 +14,9 @@ use std::sync::Arc;
 /// Swarms have few shapes: a shape is looked for among so many.
 const SHAPES_MAX: usize = 64;
 
-/// What is known about models is written up to this size, and asked of so many.
+/// What is known about models is written up to this size, and asked of so many sections.
 const MODELS_BYTES_MAX: usize = 8 << 20;
-const MODELS_MAX: usize = 20_000;
+const SECTIONS_MAX: usize = 2_000;
 
 /// All bodies as vehicles of a recording; those of one shape share their pieces.
 pub(super) fn vehicles(view: &View<'_>, bodies: &[ModelId]) -> Vec<Vehicle> {
@@ -54,8 +54,15 @@ pub(super) fn models(view: &View<'_>) -> (Vec<(Vec<String>, About)>, Option<Stri
     let mut places: BTreeMap<Vec<u8>, usize> = BTreeMap::new();
     let mut all: Vec<(Vec<String>, About)> = Vec::new();
     let (mut bytes, mut left_out) = (0, 0_usize);
-    for (number, (id, member)) in view.population().iter().enumerate() {
-        if number >= MODELS_MAX || bytes > MODELS_BYTES_MAX {
+    // Those of one section of the scenario are alike: one is asked.
+    let mut sections: BTreeMap<usize, usize> = BTreeMap::new();
+    for (id, member) in view.population().iter() {
+        let section = view.section(id);
+        if let Some(place) = section.and_then(|section| sections.get(&section)) {
+            all[*place].0.push(member.path.to_owned());
+            continue;
+        }
+        if sections.len() >= SECTIONS_MAX || bytes > MODELS_BYTES_MAX {
             left_out += 1;
             continue;
         }
@@ -68,6 +75,7 @@ pub(super) fn models(view: &View<'_>) -> (Vec<(Vec<String>, About)>, Option<Stri
             all.push((Vec::new(), about));
             all.len() - 1
         });
+        sections.extend(section.map(|section| (section, place)));
         all[place].0.push(member.path.to_owned());
     }
     let note = (left_out > 0).then(|| format!("the parameters of {left_out} models are left out"));
