@@ -28,6 +28,8 @@ const PICTURES_PER_S = 30;
 const AHEAD_S = 3;
 /** Frames of the first look at the whole recording. */
 const OVERVIEW = 40;
+/** Links are told once a second or so. */
+const AIR_S = 1.1;
 const PATIENCE_MS = 15_000;
 const MOST_PACKETS = 100_000;
 
@@ -54,6 +56,8 @@ export class ReplayPlayer implements Player {
   private brought = 0;
   private barren = "";
   private overview = false;
+  /** Packets and links of this span are here. */
+  private air = { from_s: Infinity, to_s: -Infinity };
   private packets: Packet[] = [];
   private packetsTo_s: number;
 
@@ -128,7 +132,6 @@ export class ReplayPlayer implements Player {
   }
 
   take(frame: Frame): void {
-    this.send({ type: "got", time_s: frame.time });
     this.brought += 1;
     this.cache.put(frame, this.cache.tickAt(this.t_s), this.fetch?.why === "overview");
     this.dirty = true;
@@ -153,10 +156,18 @@ export class ReplayPlayer implements Player {
   fetched(id: number): void {
     if (this.fetch?.id !== id) return;
     if (this.fetch.why === "overview") this.overview = true;
+    else this.airIsHere(this.fetch);
     this.barren = this.brought > 0 ? "" : nameOf(this.fetch);
     this.fetch = null;
     this.dirty = true;
     this.plan();
+  }
+
+  private airIsHere({ from_s, to_s }: Fetch): void {
+    if (to_s <= from_s) return;
+    const { air } = this;
+    const meets = from_s <= air.to_s + 1e-9 && to_s >= air.from_s - 1e-9;
+    this.air = meets ? { from_s: Math.min(from_s, air.from_s), to_s: Math.max(to_s, air.to_s) } : { from_s, to_s };
   }
 
   advance(now_ms: number): Moment | null {
@@ -283,6 +294,13 @@ export class ReplayPlayer implements Player {
         const span_s = this.span.to_s - this.span.from_s;
         return { why: "overview", from_s: this.span.from_s, to_s: this.span.to_s, step_s: span_s / OVERVIEW };
       }
+    }
+    if (!this.playing.value) {
+      // Who talks to whom is told of spans of time: of that before the one that is shown.
+      const from_s = Math.max(this.t_s - AIR_S, this.span.from_s);
+      const to_s = ticks[Math.min(tick + 5, ticks.length - 1)]!;
+      const here = this.air.from_s <= from_s + 1e-9 && this.air.to_s >= this.t_s - 1e-9;
+      if (!here && to_s > from_s) return { why: "ahead", from_s, to_s, step_s: 0 };
     }
     const ahead_s = this.playing.value ? AHEAD_S * this.speed.value : 5 * this.span.period_s;
     const end_s = Math.min(this.t_s + ahead_s, this.span.to_s);
