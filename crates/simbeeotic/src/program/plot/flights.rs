@@ -123,7 +123,7 @@ pub(super) fn selected(source: &Source, patterns: &[String]) -> Result<Vec<usize
         }
         let paths = || vehicles.iter().map(|vehicle| vehicle.path.as_str());
         let guess = did_you_mean(pattern, paths())
-            .map_or(String::new(), |guess| format!("; did you mean {guess:?}?"));
+            .map_or(".".to_owned(), |guess| format!("; did you mean {guess:?}?"));
         let some: Vec<&str> = paths().take(5).collect();
         let more = if vehicles.len() > 5 { " ..." } else { "" };
         return Err(Failure::input(format!(

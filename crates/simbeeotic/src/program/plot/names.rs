@@ -76,7 +76,7 @@ pub(super) fn unknown(source: &Source, name: &str) -> Result<Failure, Failure> {
     let last = |name: &str| name.rsplit('/').next().unwrap_or_default().to_owned();
     let parts: Vec<String> = published.iter().map(|name| last(name)).collect();
     let guess = did_you_mean(name, known.chain(parts.iter().map(String::as_str)))
-        .map_or(String::new(), |guess| format!("; did you mean {guess:?}?"));
+        .map_or(".".to_owned(), |guess| format!("; did you mean {guess:?}?"));
     let list = |what: &str, names: &[String]| match names.len() {
         0 => format!("\n  {what}: none"),
         n => format!(

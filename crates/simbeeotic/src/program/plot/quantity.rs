@@ -102,7 +102,7 @@ fn origin(source: &Source, text: &str) -> Result<From, Failure> {
         return Ok(From::Place([x, y, z]));
     }
     let paths = vehicles.iter().map(|vehicle| vehicle.path.as_str());
-    let guess = did_you_mean(text, paths).map_or(String::new(), |guess| {
+    let guess = did_you_mean(text, paths).map_or(".".to_owned(), |guess| {
         format!("; did you mean distance:{guess}?")
     });
     Err(Failure::input(format!(
