@@ -135,8 +135,8 @@ export class Page {
       if (vehicle === undefined) run.say(`This run has no vehicle “${place.select}”.`, true);
       else run.select(vehicle);
     }
-    if (place.camera) this.scene?.setCamera(place.camera);
     if (place.follow !== undefined) run.following.value = place.follow && run.selected.value !== null;
+    if (place.camera) this.scene?.setCamera(place.camera);
   }
 
   /** Pictures drawn so far, and their mean time. */

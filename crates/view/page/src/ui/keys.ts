@@ -35,7 +35,8 @@ export function listen(table: Key[], signal: AbortSignal): void {
       const pressed = event.target instanceof HTMLButtonElement || (event.target instanceof HTMLElement && event.target.tagName === "SUMMARY");
       if (pressed && (name === "Enter" || (name === "Space" && !(event.target as HTMLElement).closest(".bar")))) return;
       const key = acts.get(name);
-      if (!key) return;
+      // Over an open sheet only the key that opened it works; Escape is the browser's own.
+      if (!key || (document.querySelector("dialog[open]") && name !== "?" && name !== "h")) return;
       event.preventDefault();
       key.act();
     },
