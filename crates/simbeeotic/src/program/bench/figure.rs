@@ -84,6 +84,7 @@ impl Figure<'_> {
         for line in 0..self.lines.len() {
             curves.extend(self.curves(line));
         }
+        curves.extend(self.probes());
         let rules = self.rules();
         let known = self.paper.limit.map(|n| [f64::from(n), paper::DURATION_S]);
         curves.push(Curve {
@@ -172,6 +173,25 @@ impl Figure<'_> {
         curves
     }
 
+    /// What was run to find the limits, as points.
+    fn probes(&self) -> Option<Curve> {
+        let points: Vec<_> = (self.measured.probes.iter())
+            .map(|row| {
+                let ratios = row.runs.iter().map(|run| run.ratio(self.clock));
+                let least = ratios.fold(f64::INFINITY, f64::min);
+                [f64::from(row.case.size), least * paper::DURATION_S]
+            })
+            .collect();
+        (!points.is_empty()).then(|| Curve {
+            name: "all, in the search".to_owned(),
+            ink: series(0).thin(0.5),
+            marker: Marker::Square,
+            points,
+            spread: Vec::new(),
+            line: None,
+        })
+    }
+
     fn rules(&self) -> Vec<Rule> {
         let mut rules = vec![Rule {
             across: Across::Y(paper::DURATION_S),
@@ -208,7 +228,10 @@ impl Figure<'_> {
             .map(|(limit, line)| said(limit, line, self.lines.len()))
             .collect();
         if !limits.is_empty() {
-            notes.push(format!("Soft real-time limit here: {}.", limits.join("; ")));
+            notes.push(format!(
+                "Soft real-time limit here, of the median of runs: {}.",
+                limits.join("; ")
+            ));
         }
         let runs = self.measured.rows.iter().map(|row| row.runs.len());
         let runs = runs.min().unwrap_or(0);
@@ -263,5 +286,79 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
         // A point on an axis's end is hard to see.
         true => [low / 1.14, high * 1.14],
         false => [1.0, 10.0],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::alone::{Case, Run};
+    use super::super::workload::tests::cost;
+    use super::*;
+    use crate::program::plot::sheet::{Shape, Words};
+
+    fn draw(estimate: Option<u32>, clock: Clock) -> Sheet {
+        let row = |size: u32| {
+            let runs = [1.0, 2.0].map(|slow| Run::of(cost(slow * f64::from(size) / 4120.0, "a")));
+            Row::new(Case { line: 0, size }, runs.to_vec()).expect("two runs")
+        };
+        let limit = Limit {
+            low: Some(40_000),
+            high: estimate.map(|_| 42_500),
+            estimate,
+            settled: true,
+            text: "as the search says".to_owned(),
+        };
+        let measured = Measured {
+            rows: vec![row(1_000), row(40_000)],
+            probes: vec![row(42_500)],
+            limits: vec![limit],
+        };
+        let figure = Figure {
+            title: "Figure 7",
+            setup: String::new(),
+            x: "bees",
+            lines: vec!["1 thread".to_owned()],
+            all_shares: false,
+            paper: paper::FIG7,
+            measured: &measured,
+            machine: &Machine::this(),
+            duration_s: 10.0,
+            clock,
+        };
+        figure.draw()
+    }
+
+    /// The words of a picture, and the upright dashed lines.
+    fn seen(sheet: &Sheet) -> (Vec<&str>, usize) {
+        let words = sheet.shapes.iter().filter_map(|shape| match shape {
+            Shape::Words(Words { text, .. }) => Some(text.as_str()),
+            _ => None,
+        });
+        let upright = |shape: &&Shape| match shape {
+            Shape::Line { points, dash, .. } => dash.is_some() && points[0][0] == points[1][0],
+            _ => false,
+        };
+        (words.collect(), sheet.shapes.iter().filter(upright).count())
+    }
+
+    #[test]
+    fn a_limit_that_was_found_is_a_dashed_line_beside_the_papers() {
+        let sheet = draw(Some(41_200), Clock::Wall);
+        let (words, dashed) = seen(&sheet);
+        assert_eq!(dashed, 2);
+        for expected in ["here: 41,200", "paper: 3,074", "all, in the search"] {
+            assert!(words.contains(&expected), "{expected}: {words:?}");
+        }
+        assert!(words.iter().any(|text| text.contains("drawn 10 times")));
+        assert!(!words.contains(&"radio"), "what takes no time is not drawn");
+    }
+
+    #[test]
+    fn a_limit_that_was_not_found_is_told_and_not_drawn() {
+        let sheet = draw(None, Clock::Processor);
+        let (words, dashed) = seen(&sheet);
+        assert_eq!(dashed, 1, "the paper's");
+        assert!(words.iter().any(|text| text.contains("as the search says")));
+        assert!(words.contains(&"processor time for 100 virtual seconds, s"));
     }
 }
