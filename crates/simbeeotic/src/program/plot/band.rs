@@ -139,7 +139,7 @@ mod tests {
     fn within(t: f64, freedom: usize) -> f64 {
         let angle = math::atan2(t, (freedom as f64).sqrt());
         let (sin, cos) = math::sin_cos(angle);
-        if freedom % 2 == 0 {
+        if freedom.is_multiple_of(2) {
             let (mut term, mut sum) = (1.0, 1.0);
             for k in (2..freedom).step_by(2) {
                 term *= cos * cos * (k - 1) as f64 / k as f64;

@@ -239,7 +239,7 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
             }
             drawn.push(Drawn {
                 name,
-                ink: ink,
+                ink,
                 alpha: 1.0,
                 width: 2.2,
                 dashed: false,

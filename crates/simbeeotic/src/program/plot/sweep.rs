@@ -38,7 +38,7 @@ pub(super) fn groups<'a>(
             }),
         }
     }
-    groups.sort_by(|a, b| natural(&a.name).cmp(&natural(&b.name)));
+    groups.sort_by_key(|group| natural(&group.name));
     Ok(groups)
 }
 
