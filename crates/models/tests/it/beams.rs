@@ -50,7 +50,7 @@ fn rays(kind: &str, params: &[(&str, Value)]) -> (Vec<[f64; 3]>, f64) {
 
 /// The direction at so many degrees of azimuth.
 fn level(degrees: f64) -> [f64; 3] {
-    let (sin, cos) = degrees.to_radians().sin_cos();
+    let (sin, cos) = simbeeotic_model::units::math::sin_cos(degrees.to_radians());
     [cos, sin, 0.0]
 }
 
@@ -63,7 +63,10 @@ const AHEAD: [f64; 3] = [1.0, 0.0, 0.0];
 #[test]
 fn a_range_finder_looks_ahead_along_a_ray_or_in_a_cone() {
     let far = ("max_range", text("7 m"));
-    assert_eq!(rays("range", &[far.clone()]), (vec![AHEAD], 7.0));
+    assert_eq!(
+        rays("range", std::slice::from_ref(&far)),
+        (vec![AHEAD], 7.0)
+    );
     let wide = ("field_of_view", text("25 deg"));
     assert_eq!(cone("range", &[far, wide]), (12.5, 7.0));
     // 27 degrees; 1.36 m in short mode, 4 m in long mode with time enough.

@@ -227,7 +227,10 @@ const CONE: &[Property] = &[
 ];
 
 const VIEWER: &[Property] = &[
-    gone("use-background", "the page has a sky that goes with its theme"),
+    gone(
+        "use-background",
+        "the page has a sky that goes with its theme",
+    ),
     gone("show-controls", "the page has its own controls"),
     gone("testbed-overhead-view", "views are chosen in the page"),
     gone("testbed-angle-view", "views are chosen in the page"),

@@ -124,7 +124,7 @@ const METRICS_SHOWN: usize = 6;
 /// Any number with about three digits that count.
 fn number(value: f64) -> String {
     match value.abs() {
-        zero if zero == 0.0 => "0".to_owned(),
+        0.0 => "0".to_owned(),
         usual if (1e-3..1e9).contains(&usual) && value < 0.0 => format!("-{}", plain(usual)),
         usual if (1e-3..1e9).contains(&usual) => plain(usual),
         _ => format!("{value:.2e}"),

@@ -14,11 +14,14 @@ const PULSES_MAX: usize = 4000;
 /// A link is shown for so long after its period, periods.
 const STALE: f64 = 1.5;
 
+/// Who heard whom: share of the frames, 0 to 1.
+type Shares = Vec<(usize, usize, f32)>;
+
 /// Links and packets of a range of time.
 #[derive(Default)]
 pub(super) struct Air {
     /// When a period ended, ns, how long it was, s, and who heard whom: share of the frames, 0 to 1.
-    links: Vec<(u64, f64, Vec<(usize, usize, f32)>)>,
+    links: Vec<(u64, f64, Shares)>,
     /// When a packet was sent, ns, by whom and to whom.
     packets: Vec<(u64, usize, Vec<usize>)>,
     seen_ns: u64,

@@ -29,10 +29,13 @@ pub(super) struct Figure {
     body: Option<(Arc<[Facet]>, [u8; 4])>,
 }
 
+/// What a body is made of, and its surface.
+type Surface = (Arc<[Piece]>, Arc<[Facet]>);
+
 impl Figure {
     /// The figures of vehicles; those that look alike share their surface.
     pub(super) fn all(vehicles: &[Vehicle]) -> Vec<Self> {
-        let mut known: Vec<(Arc<[Piece]>, Arc<[Facet]>)> = Vec::new();
+        let mut known: Vec<Surface> = Vec::new();
         let figure = |vehicle: &Vehicle| {
             let still = vehicle.role == "station" && !vehicle.pieces.is_empty();
             let body = still.then(|| {

@@ -16,13 +16,16 @@ const COLUMNS_BYTES: usize = 32 << 20;
 /// Columns of one series that are kept at most.
 const COLUMNS_MAX: usize = 2000;
 
+/// One number of each vehicle at some times, s.
+type Columns = Vec<(f64, Arc<[f32]>)>;
+
 /// What is known of the whole recording.
 pub(super) struct Past {
     pub(super) marks: Vec<Mark>,
     pub(super) marks_dropped: u64,
     pub(super) series: Series,
     /// What vehicles published, at some times: by the name of the series.
-    columns: BTreeMap<String, Vec<(f64, Arc<[f32]>)>>,
+    columns: BTreeMap<String, Columns>,
 }
 
 impl Past {
