@@ -23,11 +23,13 @@ pub enum Asked {
     /// At most so many virtual seconds a second; `None`: as fast as possible.
     Pace {
         /// The factor.
+        #[serde(deserialize_with = "Option::deserialize")]
         factor: Option<f64>,
     },
     /// Whose details and series are wanted; `None`: nobody's.
     Select {
         /// Its number.
+        #[serde(deserialize_with = "Option::deserialize")]
         vehicle: Option<u32>,
         /// Of a recording: at this time, s.
         #[serde(default)]
@@ -36,6 +38,7 @@ pub enum Asked {
     /// What to send as colour values; `None`: nothing.
     Colour {
         /// The name of a series that vehicles have.
+        #[serde(deserialize_with = "Option::deserialize")]
         by: Option<String>,
     },
     /// A frame has been drawn.
@@ -153,6 +156,9 @@ mod tests {
             r#"{"type":"history","id":-1}"#,
             r#"{"type":"history","id":1e300}"#,
             r#"{"type":"pace","factor":"fast"}"#,
+            r#"{"type":"pace"}"#,
+            r#"{"type":"select"}"#,
+            r#"{"type":"colour"}"#,
         ] {
             let error = Asked::read(text).expect_err("it is no message");
             assert!(matches!(error, BadMessage::Unknown(_)), "{text}: {error}");

@@ -50,7 +50,8 @@ impl Client {
 
     /// The next text message; binary ones are skipped.
     pub(crate) fn hear(&mut self) -> Option<Value> {
-        loop {
+        let begun = Instant::now();
+        while begun.elapsed() < PATIENCE {
             match self.0.read() {
                 Ok(Message::Text(text)) => {
                     return Some(serde_json::from_str(&text).expect("the server speaks JSON"));
@@ -59,6 +60,7 @@ impl Client {
                 Ok(_) => {}
             }
         }
+        None
     }
 
     /// The next text message of a type.
