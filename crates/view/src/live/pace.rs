@@ -104,8 +104,10 @@ mod tests {
     fn looks_come_in_time_at_any_speed() {
         for speed in [0.01, 1.0, 10.0, 1000.0, 10_000.0] {
             let mut pace = Pace::new();
-            let gaps = run(&mut pace, (0.0, 0.0), speed, true);
-            let late = gaps.iter().skip(20).copied().fold(0.0, f64::max);
+            // The speed is not known at first.
+            run(&mut pace, (0.0, 0.0), speed, true);
+            let gaps = run(&mut pace, (speed, 1.0), speed, true);
+            let late = gaps.iter().copied().fold(0.0, f64::max);
             assert!(late < 0.003, "{speed}: {late}");
             assert!(gaps.len() < 6000, "{speed}: {} looks a second", gaps.len());
         }
