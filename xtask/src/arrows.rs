@@ -396,7 +396,7 @@ mod tests {
         assert!(!sees("physics", "radio") && !sees("radio", "physics"));
         assert!(!sees("world", "physics"));
         assert!(!sees("record", "kernel") && !sees("view", "kernel"));
-        assert!(!sees("view", "model"), "a view reads the log or the stream");
+        assert!(!sees("view", "physics") && !sees("view", "scenario"));
         for row in TABLE {
             let is_facade = row.name == FACADE;
             assert_eq!(row.sees.contains(&"models"), is_facade, "{}", row.name);

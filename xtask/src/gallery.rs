@@ -2,10 +2,12 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 use toml::{Table, Value};
 
+use crate::page;
 use crate::plots::Plots;
 use crate::program::{Profile, Program};
 use crate::repo::Repo;
@@ -17,6 +19,8 @@ const LIST: &str = "docs/book/gallery.toml";
 const PAGE: &str = "docs/book/src/gallery.md";
 /// The pictures' folder.
 const IMAGES: &str = "docs/images/gallery";
+/// The folder of the paper's figures.
+const FIGURES: &str = "docs/images/figures";
 /// A picture that is larger than this does not belong in a repository.
 const BYTES_MAX: u64 = 80 * 1024;
 /// The size of a picture.
@@ -55,6 +59,9 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
             drawn += 1;
             continue;
         }
+        if matches!(picture.source, Source::Page(_) | Source::Bench(_)) {
+            continue;
+        }
         let file = format!("{IMAGES}/{}.png", picture.name);
         let world = picture.world_file(&program, &room)?;
         let world = world.to_string_lossy().into_owned();
@@ -68,6 +75,12 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
         }
         drawn += 1;
     }
+    let wanted: Vec<&Picture> = (sections.iter())
+        .flat_map(|section| &section.pictures)
+        .filter(|picture| names.is_empty() || names.contains(&picture.name))
+        .collect();
+    drawn += pages(repo, &program, &wanted, &mut report)?;
+    drawn += benches(repo, &room, &wanted)?;
     if plots {
         let status = repo
             .cargo()
@@ -81,6 +94,63 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
     report.summary =
         format!("{drawn} pictures in {IMAGES}, {of_runs} plots of runs, and their pages");
     Ok(report)
+}
+
+/// Takes pictures of the page in a browser, if there is one.
+fn pages(
+    repo: &Repo,
+    program: &Program<'_>,
+    pictures: &[&Picture],
+    report: &mut Report,
+) -> Result<usize> {
+    let names: Vec<&str> = (pictures.iter())
+        .filter_map(|picture| match &picture.source {
+            Source::Page(name) => Some(name.as_str()),
+            _ => None,
+        })
+        .collect();
+    if names.is_empty() {
+        return Ok(0);
+    }
+    let Some(browser) = page::browser() else {
+        let note =
+            "pictures of the page are as they were: no Chromium found (CHROMIUM=PATH names one)";
+        report.notes.push(note.to_owned());
+        return Ok(0);
+    };
+    page::install(repo)?;
+    let mut node = Command::new("node");
+    node.arg("test/gallery.mjs")
+        .arg(repo.path(IMAGES))
+        .args(&names);
+    node.env("SIMBEEOTIC", program.binary())
+        .env("CHROMIUM", browser);
+    page::run(&mut node, repo)?;
+    Ok(names.len())
+}
+
+/// Runs the paper's experiments, with the program as released.
+fn benches(repo: &Repo, room: &Path, pictures: &[&Picture]) -> Result<usize> {
+    let mut program = None;
+    let mut drawn = 0;
+    for picture in pictures {
+        let Source::Bench(figure) = &picture.source else {
+            continue;
+        };
+        let program = match &mut program {
+            Some(program) => program,
+            None => program.insert(Program::build(repo, Profile::Release)?),
+        };
+        let folder = room.join(figure).to_string_lossy().into_owned();
+        let mut arguments = vec!["bench", figure, "-o", &folder];
+        arguments.extend(picture.arguments.iter().map(String::as_str));
+        program.stdout(&arguments)?;
+        let drawing = Path::new(&folder).join(format!("{figure}.svg"));
+        let target = repo.path(FIGURES).join(format!("{figure}.svg"));
+        std::fs::copy(&drawing, target).with_context(|| drawing.display().to_string())?;
+        drawn += 1;
+    }
+    Ok(drawn)
 }
 
 struct Section {
@@ -110,6 +180,10 @@ const PLOTS: [&str; 6] = [
 enum Source {
     /// None: it is a plot of what a sensor read.
     Plot,
+    /// A view of the page: its name in `test/gallery.mjs` of the page.
+    Page(String),
+    /// An experiment of `simbeeotic bench`.
+    Bench(String),
     Generated(String),
     File(String),
     Written(String),
@@ -120,7 +194,7 @@ impl Picture {
     fn world_file(&self, program: &Program<'_>, room: &Path) -> Result<PathBuf> {
         let made = room.join(format!("{}.toml", self.name));
         match &self.source {
-            Source::Plot => {}
+            Source::Plot | Source::Page(_) | Source::Bench(_) => {}
             Source::File(file) => return Ok(PathBuf::from(file)),
             Source::Written(text) => std::fs::write(&made, text)?,
             Source::Generated(kind) => {
@@ -135,6 +209,13 @@ impl Picture {
     fn commands(&self) -> String {
         let (mut commands, world) = match &self.source {
             Source::Plot => return format!("cargo {}", PLOTS.join(" ")),
+            // The section says how.
+            Source::Page(_) => return String::new(),
+            Source::Bench(figure) => {
+                let words = std::iter::once(format!("simbeeotic bench {figure}"));
+                let words = words.chain(self.arguments.iter().cloned());
+                return words.collect::<Vec<_>>().join(" ");
+            }
             Source::File(file) => (String::new(), file.clone()),
             Source::Written(_) => (String::new(), format!("{}.toml", self.name)),
             Source::Generated(kind) => (
@@ -167,6 +248,8 @@ fn sections(list: &Table) -> Result<Vec<Section>> {
 
 fn picture(table: &Table) -> Result<Picture> {
     let source = match (table.get("generate"), table.get("file"), table.get("world")) {
+        (None, None, None) if table.contains_key("page") => Source::Page(text(table, "page")?),
+        (None, None, None) if table.contains_key("bench") => Source::Bench(text(table, "bench")?),
         (None, None, None) if text(table, "name")?.starts_with("sensor-") => Source::Plot,
         (Some(_), None, None) => Source::Generated(text(table, "generate")?),
         (None, Some(_), None) => Source::File(text(table, "file")?),
@@ -215,13 +298,13 @@ fn page(sections: &[Section]) -> String {
         }
         for picture in &section.pictures {
             let Picture { name, caption, .. } = picture;
-            let plot = matches!(picture.source, Source::Plot);
-            let kind = if plot { "svg" } else { "png" };
-            let _ = write!(
-                page,
-                "\n{caption}\n\n![{name}](../../images/gallery/{name}.{kind})\n"
-            );
-            if plot {
+            let file = match &picture.source {
+                Source::Bench(figure) => format!("figures/{figure}.svg"),
+                Source::Plot => format!("gallery/{name}.svg"),
+                _ => format!("gallery/{name}.png"),
+            };
+            let _ = write!(page, "\n{caption}\n\n![{name}](../../images/{file})\n");
+            if matches!(picture.source, Source::Plot | Source::Page(_)) {
                 // One command draws them all: the section says which.
             } else if let Source::Written(world) = &picture.source {
                 let _ = write!(page, "\n```toml\n{}\n```\n", world.trim());
