@@ -205,7 +205,9 @@ impl<'a> Job<'a> {
     /// When the pictures of a film are taken, ns.
     fn times(&self, from_ns: u64, to_ns: u64) -> Result<Vec<u64>, Failure> {
         let step_ns = self.choices.speed * 1e9 / self.rate_hz;
-        let count = ((to_ns - from_ns) as f64 / step_ns * (1.0 + 1e-12)).floor() + 1.0;
+        // Each picture lasts until the next one, the last until the end: two seconds are fifty of them.
+        let count = ((to_ns - from_ns) as f64 / step_ns * (1.0 - 1e-12)).ceil();
+        let count = count.max(1.0);
         if count > FRAMES_MAX {
             return Err(Failure::input(format!(
                 "a film of {count} pictures: {FRAMES_MAX} are the most; raise --speed, or choose a part by \
@@ -347,7 +349,19 @@ fn target(options: &RenderOptions) -> Result<(Form, &Path), Failure> {
         (None, None) => return Err(Failure::input("--output FILE.png, or --video FILE")),
     };
     let shown = path.display();
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+        return Err(Failure::input(format!(
+            "{option} {shown}: there is no folder {}; make it first",
+            folder.display()
+        )));
+    }
     match (option, ending(path).as_str()) {
+        ("--output", "png") if is_numbered(path) => Err(Failure::input(format!(
+            "--output {shown}: one picture has no number; for a film as pictures, write --video {shown}"
+        ))),
         ("--output", "png") => Ok((Form::Still, path)),
         ("--output", "mp4" | "gif") => Err(Failure::input(format!(
             "--output {shown}: a picture is written as .png; for a film, write --video {shown}"
@@ -359,9 +373,19 @@ fn target(options: &RenderOptions) -> Result<(Form, &Path), Failure> {
         (_, "mp4") => Ok((Form::Mp4, path)),
         (_, "png") => Ok((Form::Frames, path)),
         _ => Err(Failure::input(format!(
-            "--video {shown}: a film is written as .mp4, as .gif, or as pictures, frames/%05d.png"
+            "--video {shown}: a film is written as .mp4, as .gif, or as pictures, film-%05d.png"
         ))),
     }
+}
+
+/// Whether a file name has the place for a number that pictures of a film have, `%d` or `%05d`.
+fn is_numbered(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut parts = name.split('%').skip(1);
+    parts.any(|part| {
+        part.trim_start_matches(|digit: char| digit.is_ascii_digit())
+            .starts_with('d')
+    })
 }
 
 fn size(text: &str) -> Result<[u32; 2], Failure> {
@@ -452,7 +476,7 @@ fn angle_within(option: &str, text: &str, [low, high]: [f64; 2]) -> Result<f64, 
     match within {
         true => Ok(angle.get()),
         false => Err(Failure::input(format!(
-            "{option} {angle}: {low} deg to {high} deg"
+            "{option} {text}: {low} deg to {high} deg"
         ))),
     }
 }

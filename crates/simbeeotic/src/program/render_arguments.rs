@@ -24,26 +24,28 @@ pub(super) struct RenderOptions {
     /// The picture to write, .png
     #[arg(long, short, value_name = "FILE", required_unless_present = "video")]
     pub(super) output: Option<PathBuf>,
-    /// The film to write: .mp4, .gif, or pictures with a number each, frames/%05d.png
+    /// The film to write: .mp4, .gif, or pictures with a number each, film-%05d.png
     #[arg(long, value_name = "FILE", conflicts_with = "output")]
     pub(super) video: Option<PathBuf>,
     /// When the picture is taken: "12.5 s" [default: at the end]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, conflicts_with_all = ["video", "from", "to"])]
     pub(super) at: Option<String>,
-    /// When the film begins: "10 s" [default: at the start]
+    /// When the film, --video, begins: "10 s" [default: at the start]
     #[arg(
         long,
         value_name = "TIME",
         allow_hyphen_values = true,
-        requires = "video"
+        requires = "video",
+        conflicts_with = "output"
     )]
     pub(super) from: Option<String>,
-    /// When the film ends: "20 s" [default: at the end]
+    /// When the film, --video, ends: "20 s" [default: at the end]
     #[arg(
         long,
         value_name = "TIME",
         allow_hyphen_values = true,
-        requires = "video"
+        requires = "video",
+        conflicts_with = "output"
     )]
     pub(super) to: Option<String>,
     /// Virtual seconds for each second of the film
@@ -52,6 +54,7 @@ pub(super) struct RenderOptions {
         value_name = "FACTOR",
         default_value_t = 1.0,
         requires = "video",
+        conflicts_with = "output",
         allow_negative_numbers = true
     )]
     pub(super) speed: f64,
@@ -61,6 +64,7 @@ pub(super) struct RenderOptions {
         value_name = "RATE",
         default_value_t = 25.0,
         requires = "video",
+        conflicts_with = "output",
         allow_negative_numbers = true
     )]
     pub(super) frames_per_second: f64,
@@ -169,6 +173,7 @@ pub(super) struct RenderOptions {
         long,
         value_name = "WHAT",
         default_value = "kind",
+        visible_alias = "color-by",
         help_heading = "Picture"
     )]
     pub(super) colour_by: String,

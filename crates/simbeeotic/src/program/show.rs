@@ -1,6 +1,6 @@
 //! How a run looks in a terminal: the progress bar and the summary.
 
-use indicatif::{HumanBytes, HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use simbeeotic_kernel::{Progress, SimTime};
 use simbeeotic_model::{Consumer, Summary};
 use simbeeotic_units::math;
@@ -291,9 +291,12 @@ pub(super) fn summary(summary: &Summary, ended: &str) -> String {
     page
 }
 
-/// Bytes as people say them.
+/// Bytes as people say them, and as the recorder does: `123 kB`, `12.3 MB`.
 pub(super) fn bytes(bytes: u64) -> String {
-    HumanBytes(bytes).to_string()
+    match bytes {
+        bytes if bytes < 1_000_000 => format!("{:.0} kB", bytes as f64 * 1e-3),
+        bytes => format!("{:.1} MB", bytes as f64 * 1e-6),
+    }
 }
 
 #[cfg(test)]

@@ -41,8 +41,10 @@ impl Air {
         };
         let (from, to) = (*times_ns.start(), *times_ns.end());
         if choices.links {
+            let mut any = false;
             for period in recording.links_in(0..=u64::MAX) {
                 let period = period?;
+                any = true;
                 let length_ns = (period.period_s.max(0.0) * 1e9) as u64;
                 if period.time_ns.saturating_add(2 * length_ns) < from {
                     continue;
@@ -68,7 +70,8 @@ impl Air {
                 air.links
                     .push((period.time_ns, period.period_s, list.collect()));
             }
-            if air.links.is_empty() {
+            // None at these times is an answer; none at all was not recorded.
+            if !any {
                 return Err(RenderError::Nothing("links"));
             }
         }
@@ -82,7 +85,8 @@ impl Air {
                 let heard = heard.filter_map(|r| Some(places.split(&r.radio)?.0));
                 air.packets.push((packet.time_ns, sender, heard.collect()));
             }
-            if air.packets.is_empty() {
+            let any = || recording.packets_in(0..=u64::MAX).next().transpose();
+            if air.packets.is_empty() && any()?.is_none() {
                 return Err(RenderError::Nothing("packets"));
             }
             air.packets.sort_by_key(|(time_ns, ..)| *time_ns);

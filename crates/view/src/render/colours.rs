@@ -3,6 +3,7 @@
 use super::RenderError;
 use super::light;
 use super::motion::Instant;
+use super::swarm::body_colour;
 use simbeeotic_record::{Recording, Vehicle};
 use simbeeotic_units::did_you_mean;
 use std::collections::{BTreeMap, BTreeSet};
@@ -75,16 +76,16 @@ impl Colours {
         extremes: Extremes,
     ) -> Result<Self, RenderError> {
         let vehicles = recording.vehicles();
+        // Those that are drawn as their body keep its colour, whatever the others say.
+        let flyers = || vehicles.iter().filter(|v| body_colour(v).is_none());
         let mut kinds: Vec<&str> = Vec::new();
-        for vehicle in vehicles {
+        for vehicle in flyers() {
             if !kinds.contains(&vehicle.kind.as_str()) {
                 kinds.push(&vehicle.kind);
             }
         }
         // The largest kind comes first, in the colour of bees.
-        kinds.sort_by_key(|kind| {
-            std::cmp::Reverse(vehicles.iter().filter(|v| v.kind == *kind).count())
-        });
+        kinds.sort_by_key(|kind| std::cmp::Reverse(flyers().filter(|v| v.kind == *kind).count()));
         let kind_of = |vehicle: &Vehicle| {
             let place = kinds.iter().position(|kind| *kind == vehicle.kind);
             light::kind(place.unwrap_or(0))
@@ -100,14 +101,25 @@ impl Colours {
         };
         let mut series = Vec::new();
         let key = match by {
-            ColourBy::Kind if kinds.len() > 1 => Key::Names(
-                kinds
-                    .iter()
-                    .enumerate()
+            ColourBy::Kind => {
+                let flying = kinds.iter().enumerate();
+                let mut names: Vec<(String, [u8; 3])> = flying
                     .map(|(place, kind)| ((*kind).to_owned(), light::kind(place)))
-                    .collect(),
-            ),
-            ColourBy::Kind | ColourBy::Body => Key::None,
+                    .collect();
+                let mut known = BTreeSet::new();
+                for vehicle in vehicles {
+                    if let Some([r, g, b, _]) = body_colour(vehicle)
+                        && known.insert((vehicle.kind.as_str(), [r, g, b]))
+                    {
+                        names.push((vehicle.kind.clone(), [r, g, b]));
+                    }
+                }
+                match names.len() {
+                    0 | 1 => Key::None,
+                    _ => Key::Names(names),
+                }
+            }
+            ColourBy::Body => Key::None,
             ColourBy::Speed => scale("speed, m/s", [0.0, round_up(extremes.speed_m_s)]),
             ColourBy::Height => {
                 let [low, high] = extremes.height_m;
@@ -255,6 +267,46 @@ fn round_up(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use simbeeotic_record::stage::{Form, Piece};
+    use simbeeotic_record::{Header, Recorder};
+
+    #[test]
+    fn the_key_has_the_colours_that_are_drawn() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("run.mcap");
+        let hive = Vehicle {
+            path: "hive".to_owned(),
+            kind: "charging-hive".to_owned(),
+            role: "station".to_owned(),
+            color: [200, 120, 40, 255],
+            pieces: vec![Piece::at_origin(Form::Sphere { radius_m: 1.0 })].into(),
+            ..Vehicle::default()
+        };
+        let bee = |kind: &str| Vehicle {
+            path: kind.to_owned(),
+            kind: kind.to_owned(),
+            ..Vehicle::default()
+        };
+        let header = Header {
+            vehicles: vec![hive, bee("worker"), bee("scout")],
+            ..Header::default()
+        };
+        let recorder = Recorder::create(&path, header).expect("created");
+        recorder.finish(&serde_json::json!({})).expect("finished");
+        let recording = Recording::open(&path).expect("opens");
+        let extremes = Extremes {
+            speed_m_s: 1.0,
+            height_m: [0.0, 1.0],
+        };
+        let colours = Colours::new(&ColourBy::Kind, &recording, &(0..=0), extremes);
+        let wanted = [
+            ("worker", light::kind(0)),
+            ("scout", light::kind(1)),
+            ("charging-hive", [200, 120, 40]),
+        ];
+        let wanted = wanted.map(|(kind, rgb)| (kind.to_owned(), rgb));
+        assert_eq!(colours.expect("colours").key, Key::Names(wanted.into()));
+    }
 
     #[test]
     fn scales_end_at_round_numbers() {

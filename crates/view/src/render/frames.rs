@@ -44,10 +44,10 @@ pub struct Frames {
 }
 
 impl Frames {
-    /// A pattern with one `%d` or `%05d` in its file name; its folder is made.
+    /// A pattern with one `%d` or `%05d` in its file name.
     ///
     /// # Errors
-    /// If the pattern has no place for the number, or the folder cannot be made.
+    /// If the pattern has no place for the number, or its folder is not there.
     pub fn new(pattern: &Path) -> Result<Self, RenderError> {
         let wrong = || {
             RenderError::Form(format!(
@@ -67,9 +67,11 @@ impl Frames {
         if digits > 12 || after.contains('%') || folder.contains('%') {
             return Err(wrong());
         }
-        if !folder.is_empty() {
-            let made = std::fs::create_dir_all(folder);
-            made.map_err(|source| RenderError::io(Path::new(folder), source))?;
+        if !folder.is_empty() && !Path::new(folder).is_dir() {
+            return Err(RenderError::Form(format!(
+                "{}: there is no folder {folder}; make it first",
+                pattern.display()
+            )));
         }
         Ok(Self {
             before: format!("{folder}{before}"),
@@ -126,9 +128,11 @@ mod tests {
     fn pictures_are_numbered_as_their_pattern_says() {
         let folder = tempfile::tempdir().expect("a folder");
         let frames = |name: &str| Frames::new(&folder.path().join(name));
-        let made = frames("a/b/%05d.png").expect("a pattern");
-        assert_eq!(made.path(7), folder.path().join("a/b/00007.png"));
-        assert!(folder.path().join("a/b").is_dir());
+        let error = frames("a/%05d.png").expect_err("there is no folder");
+        assert!(error.to_string().contains("no folder"), "{error}");
+        std::fs::create_dir(folder.path().join("a")).expect("a folder");
+        let made = frames("a/%05d.png").expect("a pattern");
+        assert_eq!(made.path(7), folder.path().join("a/00007.png"));
         let plain = frames("x%d.png").expect("a pattern");
         assert_eq!(plain.path(123), folder.path().join("x123.png"));
         for wrong in ["x.png", "%5.png", "%d%d.png", "%99d.png", "%-3d.png"] {

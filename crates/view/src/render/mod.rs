@@ -88,7 +88,7 @@ pub enum RenderError {
     },
     /// What was to be drawn was not recorded.
     #[error(
-        "the recording has no {0} at these times: give the recorder `packets = [\"*\"]`, or the paths of some radios"
+        "the recording has no {0}: give the recorder `packets = [\"*\"]`, or the paths of some radios"
     )]
     Nothing(&'static str),
     /// A picture of this size is not drawn.
@@ -108,7 +108,7 @@ pub enum RenderError {
     /// There is no `ffmpeg`, which makes films of this kind.
     #[error(
         "{path} needs the program `ffmpeg`, which is not on the PATH: install it (`apt install ffmpeg`, \
-         `brew install ffmpeg`), or write a .gif, or pictures by --video frames/%05d.png, which need nothing",
+         `brew install ffmpeg`), or write a .gif, or pictures by --video film-%05d.png, which need nothing",
         path = .0.display()
     )]
     NoFfmpeg(PathBuf),

@@ -37,8 +37,7 @@ impl Figure {
     pub(super) fn all(vehicles: &[Vehicle]) -> Vec<Self> {
         let mut known: Vec<Surface> = Vec::new();
         let figure = |vehicle: &Vehicle| {
-            let still = vehicle.role == "station" && !vehicle.pieces.is_empty();
-            let body = still.then(|| {
+            let body = body_colour(vehicle).map(|colour| {
                 let found = known.iter().find(|(pieces, _)| **pieces == *vehicle.pieces);
                 let surface = match found {
                     Some((_, surface)) => Arc::clone(surface),
@@ -47,10 +46,6 @@ impl Figure {
                         known.push((Arc::clone(&vehicle.pieces), Arc::clone(&surface)));
                         surface
                     }
-                };
-                let colour = match vehicle.color {
-                    [_, _, _, 0] => [0xb0, 0xb4, 0xba, 255],
-                    colour => colour,
                 };
                 (surface, colour)
             });
@@ -67,6 +62,15 @@ impl Figure {
     pub(super) fn flies(&self) -> bool {
         self.body.is_none()
     }
+}
+
+/// The colour of one that is drawn as its recorded body; `None`: it is drawn as one that flies.
+pub(super) fn body_colour(vehicle: &Vehicle) -> Option<[u8; 4]> {
+    let still = vehicle.role == "station" && !vehicle.pieces.is_empty();
+    still.then_some(match vehicle.color {
+        [_, _, _, 0] => [0xb0, 0xb4, 0xba, 255],
+        colour => colour,
+    })
 }
 
 fn surface(pieces: &[Piece]) -> Vec<Facet> {
