@@ -1,7 +1,7 @@
 //! What goes over the air, for those who watch a run: frames as they begin, and who received them.
 //!
 //! Nothing is noted unless a component asks for it
-//! ([`Component::wants_packets`](crate::Component::wants_packets)), and nothing of it reaches the trace.
+//! ([`Component::wants_packets`]), and nothing of it reaches the trace.
 
 use crate::component::Component;
 use crate::population::Population;

@@ -1,6 +1,6 @@
 //! What stands in the world, as something to be drawn: the same for a page, a plot, a picture and a recording.
 //!
-//! A [`World`] says what things are; a [`Stage`] says what they look like: primitives and triangles with
+//! A [`World`](simbeeotic_model::world::World) says what things are; a [`Stage`] says what they look like: primitives and triangles with
 //! colours. Recordings carry it (`/world`), so a replay needs no world file.
 
 mod bounds;
