@@ -17,6 +17,7 @@ mod export;
 mod input;
 mod log;
 mod new;
+mod outputs;
 mod picture;
 mod plot;
 mod render;

@@ -2,17 +2,18 @@
 
 use super::arguments::{Factor, RunOptions, ScenarioOptions};
 use super::input::{self, time};
+use super::outputs::{self, RECORDER};
 use super::summary::SummaryFile;
-use super::{Failure, complain, remark, same_file, say, show, view};
+use super::{Failure, complain, remark, say, show, view};
 use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::{Setup, Simulation, SimulationError};
 use simbeeotic_scenario::{Checked, Loaded};
 use simbeeotic_world::{Patch, World};
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 /// Runs a scenario.
 #[allow(
@@ -37,10 +38,10 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     }
     if let Some(text) = &options.wall_time {
         let wall = time("--wall-time", text)?;
-        setup.limits.wall = std::time::Duration::try_from_secs_f64(wall.get()).ok();
+        setup.limits.wall = Duration::try_from_secs_f64(wall.get()).ok();
     }
     choose_recording(&mut setup, &loaded, &options)?;
-    refuse_input("--summary", options.summary.as_deref(), &options)?;
+    outputs::check(&loaded, &options)?;
     let visitors = view::choose_viewer(&mut setup, &loaded, &options)?;
     if options.log {
         setup
@@ -109,18 +110,34 @@ fn stop_on_interrupt(simulation: &Simulation) -> Arc<AtomicBool> {
 }
 
 /// Does something at the first Ctrl-C or SIGTERM, and tells whether there was one; a second one ends the
-/// program at once.
+/// program at once. What comes together is one: a terminal and a batch system send several.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "interrupts come in the time of people"
+)]
 pub(super) fn at_interrupt(act: impl Fn() + Send + 'static) -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
+    let first = OnceLock::new();
     on_interrupt(move || {
-        if flag.swap(true, Ordering::Relaxed) {
+        let now = Instant::now();
+        if is_another(*first.get_or_init(|| now), now) {
             std::process::exit(130);
         }
-        act();
+        if !flag.swap(true, Ordering::Relaxed) {
+            act();
+        }
     });
     interrupted
 }
+
+/// Whether an interrupt is not the first one once more.
+fn is_another(first: Instant, now: Instant) -> bool {
+    now.saturating_duration_since(first) >= TOGETHER
+}
+
+/// Interrupts within this time are one.
+const TOGETHER: Duration = Duration::from_millis(500);
 
 /// Calls `act` at each interrupt. If that cannot be had, an interrupt just ends the program, and the
 /// recording still reads.
@@ -149,28 +166,11 @@ fn choose_recording(
     let Some(path) = &options.record else {
         return Ok(());
     };
-    refuse_input("--record", Some(path), options)?;
     let component = recorder(path, loaded)?;
     setup.components.retain(|(name, _)| name != RECORDER);
     setup.components.push((RECORDER.to_owned(), component));
     Ok(())
 }
-
-/// An error if a file to be written is one that the run is read from.
-fn refuse_input(flag: &str, file: Option<&Path>, options: &RunOptions) -> Result<(), Failure> {
-    let scenario = &options.scenario;
-    let mut inputs = std::iter::once(&scenario.scenario).chain(&scenario.world);
-    match file {
-        Some(file) if inputs.any(|input| same_file(input, file)) => Err(Failure::input(format!(
-            "{flag} {}: this is an input of the run",
-            file.display()
-        ))),
-        _ => Ok(()),
-    }
-}
-
-/// The recorder's name on the shelf.
-const RECORDER: &str = "recorder";
 
 /// A recorder that writes to `path`; all else is as the scenario's first recorder has it.
 fn recorder(path: &Path, loaded: &Loaded) -> Result<Box<dyn simbeeotic_model::Component>, Failure> {
@@ -253,5 +253,19 @@ fn describe_world(name: &str, world: &World) -> String {
 pub(super) fn warn(text: &str) {
     if !text.is_empty() {
         remark(text.trim_end());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[allow(clippy::disallowed_methods, reason = "two points of wall time")]
+    fn interrupts_that_come_together_are_one() {
+        let first = Instant::now();
+        let after = |ms| first + Duration::from_millis(ms);
+        assert!(!is_another(first, first) && !is_another(first, after(499)));
+        assert!(is_another(first, after(500)));
     }
 }

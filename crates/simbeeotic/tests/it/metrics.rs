@@ -173,3 +173,38 @@ fn a_summary_goes_into_a_table() {
         assert!(refused.err.contains(why), "{}", refused.err);
     }
 }
+
+#[test]
+fn neither_a_recording_nor_what_the_scenario_reads_is_written_over() {
+    let program = Program::new();
+    for name in ["testbed.toml", "testbed-links.csv"] {
+        let text = std::fs::read_to_string(shipped(&format!("scenarios/{name}")));
+        program.write(name, &text.expect("a shipped file"));
+    }
+    let links = || std::fs::read(program.path("testbed-links.csv")).expect("still there");
+    let before = links();
+    let run = ["run", "--quiet", "testbed.toml", "--end-time", "1 s"];
+    for (arguments, why) in [
+        (
+            ["--record", "x.csv", "--summary", "./x.csv"].as_slice(),
+            "the recording of the run goes into this file",
+        ),
+        (
+            &["--no-record", "--summary", "testbed-links.csv"],
+            "no summary of a run",
+        ),
+        (&["--record", "testbed-links.csv"], "no recording"),
+        (&["--record", "testbed.toml"], "an input of the run"),
+    ] {
+        let call = program.call(&[&run, arguments].concat());
+        assert_eq!(call.code, Some(2), "{arguments:?}: {}", call.err);
+        assert!(call.err.contains(why), "{arguments:?}: {}", call.err);
+    }
+    assert_eq!(links(), before);
+    // What a run wrote, the next one replaces.
+    let again = ["--record", "x.mcap", "--summary", "s.parquet"];
+    for _ in 0..2 {
+        let call = program.call(&[&run, again.as_slice()].concat());
+        assert_eq!(call.code, Some(0), "{}", call.err);
+    }
+}
