@@ -50,8 +50,8 @@ pub(super) fn choose_viewer(
     let mut viewer =
         Viewer::from_params(params).map_err(|e| Failure::input(format!("the page: {e}")))?;
     let url = viewer.bind().map_err(no_server)?;
-    announce(&url, open);
     let visitors = viewer.visitors();
+    announce(&url, visitors.as_ref(), open);
     setup.components.retain(|(name, _)| name != VIEWER);
     setup.components.push((VIEWER.to_owned(), Box::new(viewer)));
     Ok(visitors)
@@ -73,8 +73,11 @@ fn no_server(error: ServerError) -> Failure {
 }
 
 /// Shows the address of the page, and the page itself if that is wanted.
-fn announce(url: &str, open: bool) {
+fn announce(url: &str, visitors: Option<&Visitors>, open: bool) {
     remark(format!("page: {url}"));
+    if let Some(elsewhere) = visitors.and_then(Visitors::elsewhere) {
+        remark(format!("from other machines: {elsewhere}"));
+    }
     if open && let Err(why) = open_browser(url) {
         remark(format!("note: {why}; open the page by hand"));
     }
@@ -107,7 +110,7 @@ pub(super) fn view(options: &ViewOptions) -> Result<(), Failure> {
     }
     let server = Server::start(place).map_err(no_server)?;
     server.show(Arc::new(replay));
-    announce(&server.url(), page.open);
+    announce(&server.url(), Some(&server.visitors()), page.open);
     let interrupted = at_interrupt(|| {});
     linger(&server.visitors(), &interrupted);
     Ok(())

@@ -363,11 +363,18 @@ impl Drop for LivePage {
     }
 }
 
+/// The paces that a page may ask for: with less the run would seem dead.
+const PACES: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
+
+/// The longest step that a page may ask for, s.
+const STEP_MAX_S: f64 = 3600.0;
+
 /// Does at once what a page asks of the run.
 pub(super) fn command(shared: &Shared, asked: &Asked) -> Result<bool, String> {
     let Some(control) = shared.control.get() else {
         return Ok(false);
     };
+    check(asked)?;
     match *asked {
         Asked::Pause {} => control.pause(),
         Asked::Resume {} => control.resume(),
@@ -379,14 +386,49 @@ pub(super) fn command(shared: &Shared, asked: &Asked) -> Result<bool, String> {
         Asked::Step {
             instants: None,
             seconds: Some(seconds),
-        } => {
-            let wrong = || format!("a step of {seconds} s is not a time above zero");
-            let time = (seconds.is_finite() && seconds > 0.0).then(|| nanoseconds(seconds));
-            let time = time.filter(|ns| *ns > 0).ok_or_else(wrong)?;
-            control.step_by(time);
-        }
+        } => control.step_by(nanoseconds(seconds).max(1)),
         Asked::Step { .. } => return Err("a step has instants, or seconds".to_owned()),
         _ => return Ok(false),
     }
     Ok(true)
+}
+
+/// Whether the numbers of a command are allowed.
+fn check(asked: &Asked) -> Result<(), String> {
+    match *asked {
+        Asked::Pace { factor: Some(f) } if !PACES.contains(&f) => Err(format!(
+            "a pace of {f}: it is {} to {}, or null for as fast as possible",
+            PACES.start(),
+            PACES.end()
+        )),
+        Asked::Step {
+            seconds: Some(s), ..
+        } if !(s > 0.0 && s <= STEP_MAX_S) => Err(format!(
+            "a step of {s} s: it is above zero, and at most {STEP_MAX_S} s"
+        )),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paces_and_steps_are_within_reason() {
+        let pace = |factor| check(&Asked::Pace { factor }).is_ok();
+        for factor in [None, Some(0.001), Some(1.0), Some(1000.0)] {
+            assert!(pace(factor), "{factor:?}");
+        }
+        for factor in [1e-300, 0.0, -1.0, 1e300] {
+            assert!(!pace(Some(factor)), "{factor}");
+        }
+        let step = |seconds| {
+            let seconds = Some(seconds);
+            let instants = None;
+            check(&Asked::Step { instants, seconds }).is_ok()
+        };
+        assert!(step(0.1) && step(3600.0));
+        assert!(!step(0.0) && !step(-1.0) && !step(1e300));
+    }
 }

@@ -1,45 +1,20 @@
 //! One connection: a request, and its answer or a page.
 
+use super::door::Door;
 use super::guard::Refusal;
 use super::head::{Head, NoHead};
 use super::{PAGES_MAX, Shared, assets, stream};
-use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
-
-/// Connections at a time, pages included: each has a thread.
-const CONNECTIONS_MAX: usize = 64;
 
 /// What a connection's thread needs on its stack at most.
 pub(super) const STACK: usize = 512 * 1024;
 
 /// How long an answer may take, and a page that reads nothing.
 pub(super) const WRITE_TIME: Duration = Duration::from_secs(20);
-
-/// The connections that are open, to be closed at the end.
-#[derive(Default)]
-pub(super) struct Door(Mutex<(u64, BTreeMap<u64, TcpStream>)>);
-
-impl Door {
-    fn open(&self, stream: &TcpStream) -> Option<Entry<'_>> {
-        let clone = stream.try_clone().ok()?;
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.0 += 1;
-        let number = all.0;
-        all.1.insert(number, clone);
-        Some(Entry { door: self, number })
-    }
-
-    pub(super) fn close_all(&self) {
-        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        for stream in all.1.values() {
-            let _ = stream.shutdown(Shutdown::Both);
-        }
-    }
-}
 
 /// A connection that is open; forgotten when it is dropped.
 struct Entry<'a> {
@@ -49,8 +24,7 @@ struct Entry<'a> {
 
 impl Drop for Entry<'_> {
     fn drop(&mut self) {
-        let mut all = self.door.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.1.remove(&self.number);
+        self.door.forget(self.number);
     }
 }
 
@@ -80,29 +54,32 @@ pub(super) fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
         if shared.closing.load(Ordering::Relaxed) {
             return;
         }
-        let Ok((stream, _)) = accepted else {
+        let Ok((stream, peer)) = accepted else {
             // Out of files, say: others may close theirs.
             std::thread::sleep(Duration::from_millis(20));
             continue;
         };
-        if shared.connections.load(Ordering::Acquire) >= CONNECTIONS_MAX {
+        let Some(number) = shared.door.open(&stream, peer.ip()) else {
             turn_away(&stream);
             continue;
-        }
+        };
+        let door = &shared.door;
         let shared = Arc::clone(shared);
         let builder = std::thread::Builder::new();
-        // No thread to be had: the connection is closed.
-        let _ = builder
+        let spawned = builder
             .name("view-page".to_owned())
             .stack_size(STACK)
             .spawn(move || {
-                let Some(_place) = Place::take(&shared.connections, CONNECTIONS_MAX) else {
-                    return turn_away(&stream);
+                let entry = Entry {
+                    door: &shared.door,
+                    number,
                 };
-                if let Some(_entry) = shared.door.open(&stream) {
-                    serve(stream, &shared);
-                }
+                serve(stream, &shared, &entry);
             });
+        if spawned.is_err() {
+            // No thread to be had: the connection is closed.
+            door.forget(number);
+        }
     }
 }
 
@@ -115,7 +92,7 @@ fn turn_away(mut stream: &TcpStream) {
 }
 
 /// Answers one request.
-fn serve(mut stream: TcpStream, shared: &Arc<Shared>) {
+fn serve(mut stream: TcpStream, shared: &Arc<Shared>, entry: &Entry<'_>) {
     let _ = stream.set_nodelay(true);
     let _ = stream.set_write_timeout(Some(WRITE_TIME));
     let head = match Head::read(&mut stream) {
@@ -127,6 +104,7 @@ fn serve(mut stream: TcpStream, shared: &Arc<Shared>) {
     if let Err(refusal) = shared.guard.admit(&head) {
         return refuse(stream, refusal);
     }
+    entry.door.admitted(entry.number);
     if head.path == "/stream" {
         return match welcome(&head, shared) {
             Ok(place) => {

@@ -30,7 +30,9 @@ impl Guard {
             return Err((405, "only GET is answered here"));
         }
         let host = head.only("host").ok_or((400, "one Host is wanted"))?;
-        if !self.is_own(host) {
+        let name = name_in(host).ok_or((403, "this Host is none"))?;
+        // Whoever has the token may use any name of this machine: a foreign page has none.
+        if self.token.is_none() && !self.is_own(name) {
             return Err((
                 403,
                 "this server does not go by this name: use the address that it printed",
@@ -56,30 +58,27 @@ impl Guard {
     }
 
     /// A name of this machine that no foreign name server can give out: loopback, or the bound address.
-    /// With any port: a tunnel may have another.
-    fn is_own(&self, host: &str) -> bool {
-        let (name, port) = match host.strip_prefix('[') {
-            Some(rest) => match rest.split_once(']') {
-                Some((name, port)) => (name, port),
-                None => return false,
-            },
-            None => host.split_at(host.find(':').unwrap_or(host.len())),
-        };
-        let port_is_one = match port.strip_prefix(':') {
-            Some(digits) => digits.parse::<u16>().is_ok(),
-            None => port.is_empty(),
-        };
-        if !port_is_one {
-            return false;
-        }
-        if name.eq_ignore_ascii_case("localhost") {
-            return true;
-        }
-        match name.parse::<IpAddr>() {
-            Ok(ip) => ip.is_loopback() || ip == self.bound || self.bound.is_unspecified(),
-            Err(_) => false,
-        }
+    fn is_own(&self, name: &str) -> bool {
+        name.eq_ignore_ascii_case("localhost")
+            || name
+                .parse::<IpAddr>()
+                .is_ok_and(|ip| ip.is_loopback() || ip == self.bound)
     }
+}
+
+/// The name in a `Host`, if it is one: it comes back in the head of the answer. With any port: a tunnel may
+/// have another.
+fn name_in(host: &str) -> Option<&str> {
+    let (name, port) = match host.strip_prefix('[') {
+        Some(rest) => rest.split_once(']')?,
+        None => host.split_at(host.find(':').unwrap_or(host.len())),
+    };
+    let port_is_one = match port.strip_prefix(':') {
+        Some(digits) => digits.parse::<u16>().is_ok(),
+        None => port.is_empty(),
+    };
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "-._:".contains(c);
+    (port_is_one && !name.is_empty() && name.chars().all(allowed)).then_some(name)
 }
 
 /// 128 random bits as text.
@@ -159,7 +158,13 @@ mod tests {
         ] {
             assert_eq!(code(&guard, target, &own), 401, "{target}");
         }
-        assert_eq!(code(&guard, "/?token=0123", &["Host: evil.example"]), 403);
+        // With it, by any name: the machine's own name, say.
+        let named = |host: &str| code(&guard, "/?token=0123", &[&format!("Host: {host}")]);
+        assert_eq!(named("cluster.example:8470"), 200);
+        for host in ["a; script-src *", "a b", "", "a:x", "[::1"] {
+            assert_eq!(named(host), 403, "{host}");
+        }
+        assert_eq!(code(&guard, "/", &["Host: cluster.example"]), 401);
     }
 
     #[test]

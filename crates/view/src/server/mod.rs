@@ -3,17 +3,18 @@
 //! Plain threads, one to accept, one for each request, two for each page. It trusts nobody:
 //!
 //! - it binds to loopback, unless told otherwise, and then every request must carry a token;
-//! - a request whose `Host` is not its own, or a WebSocket whose `Origin` is not its `Host`, is refused:
+//! - a request whose `Host` is not its own (where no token is wanted), or a WebSocket whose `Origin` is not its `Host`, is refused:
 //!   a foreign page in the same browser can neither read nor steer;
 //! - heads, messages, connections, pages and what waits for each are limited; a page that does not read
 //!   is not waited for.
 //!
-//! Reading order: [`Source`] and [`Page`] (what is served), [`Server`]; then `connection` (one request),
+//! Reading order: [`Source`] and [`Page`] (what is served), [`Server`]; then `connection` (one request), `door` (how many),
 //! `head` and `guard` (what is let in), `stream` (one page), `assets`.
 
 mod assets;
 mod bell;
 mod connection;
+mod door;
 mod guard;
 mod head;
 mod stream;
@@ -21,7 +22,7 @@ mod stream;
 pub use bell::Bell;
 
 use crate::wire::{Asked, Message};
-use connection::Door;
+use door::Door;
 use guard::Guard;
 use simbeeotic_record::Attachment;
 use simbeeotic_record::stage::TEXTURES;
@@ -145,8 +146,7 @@ struct Shared {
     local: SocketAddr,
     /// Set once; requests that come before are answered by "not yet".
     source: OnceLock<Arc<dyn Source>>,
-    /// Connections, pages included.
-    connections: AtomicUsize,
+    /// Pages that are connected.
     pages: AtomicUsize,
     /// Whether there ever was a page.
     visited: AtomicBool,
@@ -172,7 +172,6 @@ impl Server {
             guard: Guard::new(local, token),
             local,
             source: OnceLock::new(),
-            connections: AtomicUsize::new(0),
             pages: AtomicUsize::new(0),
             visited: AtomicBool::new(false),
             closing: AtomicBool::new(false),
@@ -197,7 +196,8 @@ impl Server {
     /// The address of the page, with its token if it needs one.
     pub fn url(&self) -> String {
         let shown = match self.shared.local.ip() {
-            ip if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
+            IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
+            IpAddr::V6(ip) if ip.is_unspecified() => std::net::Ipv6Addr::LOCALHOST.into(),
             ip => ip,
         };
         let place = SocketAddr::new(shown, self.shared.local.port());
@@ -223,6 +223,15 @@ impl Server {
 pub struct Visitors(Arc<Shared>);
 
 impl Visitors {
+    /// How the page is reached from other machines, if the server listens at all addresses of this one.
+    pub fn elsewhere(&self) -> Option<String> {
+        let (local, token) = (self.0.local, self.0.guard.token()?);
+        local.ip().is_unspecified().then(|| {
+            let port = local.port();
+            format!("http://<this machine's address>:{port}/?token={token}")
+        })
+    }
+
     /// Pages that are connected.
     pub fn now(&self) -> usize {
         self.0.pages.load(Ordering::Relaxed)
