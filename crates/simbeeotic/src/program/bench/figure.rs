@@ -87,17 +87,14 @@ impl Figure<'_> {
         curves.extend(self.probes());
         let rules = self.rules();
         let known = self.paper.limit.map(|n| [f64::from(n), paper::DURATION_S]);
-        curves.push(Curve {
-            name: match known {
-                Some(_) => "paper: real time ends".to_owned(),
-                None => "paper: no numbers".to_owned(),
-            },
+        curves.extend(known.map(|point| Curve {
+            name: "paper: real time ends".to_owned(),
             ink: paper_ink(),
             marker: Marker::Diamond,
-            points: known.into_iter().collect(),
+            points: vec![point],
             spread: Vec::new(),
             line: None,
-        });
+        }));
 
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let spreads = curves.iter().flat_map(|curve| &curve.spread);
@@ -206,7 +203,7 @@ impl Figure<'_> {
             if let Some(n) = limit.estimate {
                 rules.push(Rule {
                     across: Across::X(f64::from(n)),
-                    label: format!("{whose}: {}", count(n)),
+                    label: format!("{whose}: {}{}", count(n), bracket(limit)),
                     ink: series(0),
                 });
             }
@@ -265,6 +262,16 @@ impl Figure<'_> {
                 .to_owned(),
         );
         notes
+    }
+}
+
+/// The ends between which a limit is, if they are more than a tenth apart.
+fn bracket(limit: &Limit) -> String {
+    match (limit.low, limit.high) {
+        (Some(low), Some(high)) if f64::from(high) > 1.1 * f64::from(low) => {
+            format!(" ({} to {})", count(low), count(high))
+        }
+        _ => String::new(),
     }
 }
 

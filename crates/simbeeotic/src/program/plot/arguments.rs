@@ -35,7 +35,7 @@ Numbers that can be drawn:
   packets/sent, received, overheard, lost, lost/REASON, delivery
                                      of all radios, or of those that --models takes, in each period
   bee-*/battery/soc, neighbors       metrics, by their names or by the last part of them
-  bee-*/imu:forward                  what sensors read, by sensor and column; --truth: what was true, too
+  bee-*/imu:fx                       what sensors read, by sensor and column; --truth: what was true, too
 
 Examples:
   simbeeotic plot series run.mcap -o soc.svg --metric 'bee-*/battery/soc' --each
@@ -64,7 +64,7 @@ Examples:
 /// What is drawn.
 #[derive(Subcommand)]
 pub(in crate::program) enum Plot {
-    /// A map from above: who flew where, over the world; or the same in 3-D
+    /// A map from above: who flew where, over the world; or the same in 3-D; of one recording
     #[command(after_help = TRACES_EXAMPLES)]
     Traces(TraceOptions),
     /// Numbers over time: flights, metrics, packets, what sensors read
@@ -76,7 +76,7 @@ pub(in crate::program) enum Plot {
     /// A map of what was seen of an area, or how much of it over time
     #[command(after_help = COVERAGE_EXAMPLES)]
     Coverage(CoverageOptions),
-    /// A map from above: who hears whom, how often and how loud
+    /// A map from above: who hears whom, how often and how loud; of one recording
     Links(LinkOptions),
     /// How much of what is sent is received, over distance; several recordings are pooled
     Delivery(DistanceOptions),
@@ -133,7 +133,7 @@ pub(crate) struct TraceOptions {
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
     pub(crate) models: Vec<String>,
     /// What the colours say [default: vehicle, if there are at most seven; else kind]
-    #[arg(long = "color", value_name = "WHAT")]
+    #[arg(long = "color", alias = "colour", value_name = "WHAT")]
     pub(crate) color: Option<ColorBy>,
     /// What is above this height is an outline only, with a unit [default: where the flights are]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]

@@ -112,8 +112,9 @@ pub(super) fn histogram(sources: &Sources, options: &HistogramOptions) -> Result
     };
     let runs = pools.iter().map(|p| p.runs.len()).max().unwrap_or(1);
     let what = format!(
-        "{} values, {when}, bins of {}{}",
+        "{} values{}, {when}, bins of {}{}",
         grouped(&all.len().to_string()),
+        heads[0].without(),
         trimmed(bins.width),
         if runs > 1 {
             "; bars: mean over runs, 95 % confidence"

@@ -78,18 +78,22 @@ pub(super) fn unknown(source: &Source, name: &str) -> Result<Failure, Failure> {
     let guess = did_you_mean(name, known.chain(parts.iter().map(String::as_str)))
         .map_or(".".to_owned(), |guess| format!("; did you mean {guess:?}?"));
     let list = |what: &str, names: &[String]| match names.len() {
-        0 => format!("\n  {what}: none"),
+        0 => String::new(),
         n => format!(
             "\n  {what}: {}{}",
             names[..n.min(LISTED)].join(", "),
             if n > LISTED { " ..." } else { "" }
         ),
     };
+    let radios = match source.recording.traffic_in(0..=u64::MAX).next() {
+        None => Vec::new(),
+        Some(_) => PACKETS.map(|p| format!("packets/{p}")).to_vec(),
+    };
     Ok(Failure::input(format!(
-        "{} has no number called {name:?}{guess} It has\n  of each model: {}, distance:MODEL\n  of radios: {}{}{}",
+        "{} has no number called {name:?}{guess} It has\n  of each model: {}, distance:MODEL{}{}{}",
         source.file(),
         STATES.join(", "),
-        PACKETS.map(|p| format!("packets/{p}")).join(", "),
+        list("of radios", &radios),
         list("metrics", &published),
         list("readings", &read)
     )))

@@ -41,6 +41,8 @@ pub(super) struct Quantity {
     pub(super) curves: Vec<Curve>,
     /// What was true, of what sensors read.
     pub(super) truth: Vec<Curve>,
+    /// Stations that are not counted, since nobody named them.
+    pub(super) left_out: Vec<String>,
 }
 
 impl Quantity {
@@ -50,6 +52,29 @@ impl Quantity {
             "" => self.name.clone(),
             unit => format!("{}, {unit}", self.name),
         }
+    }
+
+    /// Who is not counted, to stand behind what is.
+    pub(super) fn without(&self) -> String {
+        match self.left_out.as_slice() {
+            [] => String::new(),
+            few if few.len() <= 3 => format!(", without {}", few.join(", ")),
+            many => format!(", without {} stations", many.len()),
+        }
+    }
+
+    /// The ends of what it can be: a mean is not believed to be beyond them.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        let name = self.name.as_str();
+        if name == "delivery in range" || name.ends_with("battery/soc") {
+            return [0.0, 1.0];
+        }
+        let positive =
+            name == "speed" || name.starts_with("distance from ") || name.starts_with("frames ");
+        [
+            if positive { 0.0 } else { f64::NEG_INFINITY },
+            f64::INFINITY,
+        ]
     }
 }
 
@@ -95,6 +120,13 @@ fn origin(source: &Source, text: &str) -> Result<From, Failure> {
         .split(',')
         .filter_map(|x| x.trim().parse().ok())
         .collect();
+    let parts = text.split(',').count();
+    if parts > 1 && parts == numbers.len() && parts != 3 {
+        return Err(Failure::input(format!(
+            "distance:{text}: a place has three numbers, east,north,up in metres, and these are {parts}: \
+             distance:0,0,5"
+        )));
+    }
     if let [x, y, z] = numbers[..]
         && numbers.iter().all(|x| x.is_finite())
         && text.split(',').count() == 3
@@ -124,12 +156,19 @@ fn states(source: &Source, name: &str, models: &[String]) -> Result<Quantity, Fa
         })
         .collect();
     let mut last: Vec<Option<(f64, [f64; 3])>> = vec![None; places.len()];
+    let mut starts: Vec<Option<[f64; 3]>> = vec![None; places.len()];
+    let mut moved = vec![false; places.len()];
     for tick in source.recording.ticks_in(source.times_ns.clone()) {
         let tick = tick.map_err(Failure::run)?;
         let time_s = tick.time_ns as f64 * 1e-9;
-        for ((curve, at), last) in curves.iter_mut().zip(&places).zip(&mut last) {
+        let lines = curves.iter_mut().zip(&places).zip(&mut last);
+        for (line, ((curve, at), last)) in lines.enumerate() {
             let sample = &tick.samples[*at];
             let place = sample.position_m;
+            if place.iter().all(|x| x.is_finite()) {
+                let start = *starts[line].get_or_insert(place);
+                moved[line] |= long([0, 1, 2].map(|k| place[k] - start[k])) > STILL_M;
+            }
             // Without recorded velocities: from the last tick to this one.
             let before = last.replace((time_s, place));
             let mut v = sample.velocity_m_s;
@@ -166,13 +205,41 @@ fn states(source: &Source, name: &str, models: &[String]) -> Result<Quantity, Fa
         Some(from) => format!("distance from {from}"),
         None => name.to_owned(),
     };
+    let roles = places.iter().map(|at| vehicles[*at].role.as_str());
+    let counts: Vec<bool> = (roles.zip(&moved))
+        .map(|(role, moved)| !models.is_empty() || is_counted(role, *moved))
+        .collect();
+    let mut left_out = Vec::new();
+    if counts.contains(&true) {
+        let mut counts = counts.iter();
+        curves.retain(|curve| {
+            let counts = counts.next() == Some(&true);
+            if !counts {
+                left_out.push(curve.who.clone());
+            }
+            counts
+        });
+    }
     let quantity = Quantity {
         name: shown,
         unit: unit.to_owned(),
         curves,
         truth: Vec::new(),
+        left_out,
     };
     filled(source, quantity)
+}
+
+/// Who stayed within this distance of the start stood still, m.
+const STILL_M: f64 = 0.05;
+
+/// Whether it is a vehicle. Older recordings do not say what is a station: there it is what never moves.
+fn is_counted(role: &str, moved: bool) -> bool {
+    match role {
+        "station" => false,
+        "" => moved,
+        _ => true,
+    }
 }
 
 fn long(v: [f64; 3]) -> f64 {
@@ -270,6 +337,7 @@ fn packets(
         unit: if what == "delivery" { "" } else { "1/s" }.to_owned(),
         curves: curves.into_values().collect(),
         truth: Vec::new(),
+        left_out: Vec::new(),
     };
     filled(source, quantity)
 }
@@ -337,6 +405,7 @@ fn published(source: &Source, name: &str, models: &[String]) -> Result<Option<Qu
         unit,
         curves: curves.into_values().collect(),
         truth: Vec::new(),
+        left_out: Vec::new(),
     };
     filled(source, quantity).map(Some)
 }
@@ -438,6 +507,7 @@ fn readings(source: &Source, name: &str, models: &[String]) -> Result<Option<Qua
         unit,
         curves,
         truth,
+        left_out: Vec::new(),
     };
     filled(source, quantity).map(Some)
 }
@@ -461,6 +531,14 @@ mod tests {
             [0.5, 2.0, 3.5].map(|t| curve.at(t)),
             [None, Some(10.0), Some(20.0)]
         );
+    }
+
+    #[test]
+    fn stations_are_no_vehicles_and_in_old_recordings_what_never_moves_is_none() {
+        let counted = |role| [false, true].map(|moved| is_counted(role, moved));
+        assert_eq!(counted("station"), [false, false]);
+        assert_eq!(counted("vehicle"), [true, true]);
+        assert_eq!(counted(""), [false, true]);
     }
 
     #[test]

@@ -93,7 +93,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
                     width: if dashed { 1.2 } else { 2.2 },
                     dashed,
                     holds: false,
-                    means: means(curves, &times(curves.iter()), kind),
+                    means: within(means(curves, &times(curves.iter()), kind), quantity.ends()),
                     quantity: at,
                 });
             };
@@ -101,7 +101,11 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
             if options.truth && !quantity.truth.is_empty() {
                 add(&quantity.truth, true, BandKind::None);
             }
-            what.push(format!("mean of {count}{}", said(kind)));
+            what.push(format!(
+                "mean of {count}{}{}",
+                quantity.without(),
+                said(kind)
+            ));
             continue;
         }
         let many = all > LINES_MAX;
@@ -136,7 +140,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
         }
         what.push(match count {
             1 => quantity.curves[0].who.clone(),
-            n => format!("{n} lines"),
+            n => format!("{n} lines{}", quantity.without()),
         });
     }
     if options.truth && quantities.iter().all(|q| q.truth.is_empty()) {
@@ -170,6 +174,16 @@ fn line_of(
         means: curve.points.iter().map(mean).collect(),
         quantity,
     }
+}
+
+/// Means whose bands stay within what there can be.
+fn within(mut means: Vec<Mean>, [least, most]: [f64; 2]) -> Vec<Mean> {
+    for mean in &mut means {
+        mean.band = mean
+            .band
+            .map(|[low, high]| [low.max(least), high.min(most)]);
+    }
+    means
 }
 
 /// What a band is, in words.
@@ -211,6 +225,13 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 runs[at].push(averaged(&curves, &times(curves.iter())));
             }
         }
+        let ends = group.runs.iter().map(|run| run.recording.end_ns());
+        let end_s = ends.clone().min().unwrap_or(u64::MAX) as f64 * 1e-9;
+        if !options.each && ends.max().unwrap_or(0) as f64 * 1e-9 > end_s + 1e-9 {
+            remark(format!(
+                "note: these runs are of different length; their mean ends with the shortest, at {end_s} s"
+            ));
+        }
         for (at, runs) in runs.into_iter().enumerate() {
             let n = runs.len();
             // Where a panel has one quantity, its axis names it.
@@ -225,7 +246,7 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 true => series(place),
                 false => series(place * heads.len() + at),
             };
-            let times = times(runs.iter());
+            let mut times = times(runs.iter());
             if options.each {
                 for (run, curve) in runs.iter().enumerate() {
                     let name = if run == 0 {
@@ -237,6 +258,8 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 }
                 continue;
             }
+            // Behind the end of the shortest run the mean would be of others.
+            times.retain(|time_s| *time_s <= end_s + 1e-9);
             drawn.push(Drawn {
                 name,
                 ink,
@@ -244,7 +267,7 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 width: 2.2,
                 dashed: false,
                 holds: false,
-                means: means(&runs, &times, kind),
+                means: within(means(&runs, &times, kind), heads[at].ends()),
                 quantity: at,
             });
         }
@@ -252,7 +275,11 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
     let lone = groups.iter().filter(|group| group.runs.len() == 1).count();
     let mut what = match options.each {
         true => "mean of each run".to_owned(),
-        false => format!("mean over runs{}", said(kind)),
+        false => format!(
+            "mean over runs{}{}",
+            heads.first().map_or(String::new(), Quantity::without),
+            said(kind)
+        ),
     };
     if lone > 0 && !options.each && kind != BandKind::None {
         what += "; of one run alone there is no band";

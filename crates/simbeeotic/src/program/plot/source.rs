@@ -36,7 +36,16 @@ impl Sources {
         let sources: Vec<Source> = (options.recordings.iter())
             .map(|path| Source::open(path, from..=to))
             .collect::<Result<_, _>>()?;
-        for path in &options.recordings {
+        for (at, path) in options.recordings.iter().enumerate() {
+            if options.recordings[..at]
+                .iter()
+                .any(|other| same_file(other, path))
+            {
+                return Err(Failure::input(format!(
+                    "{} is given twice: one run would count as two",
+                    path.display()
+                )));
+            }
             if same_file(path, &options.output) {
                 return Err(Failure::input(format!(
                     "{} is the recording itself; choose another name for the picture",
@@ -124,6 +133,13 @@ impl Source {
     pub(super) fn links(&self) -> Result<Vec<Links>, Failure> {
         let links = self.recording.links_in(self.times_ns.clone());
         let links = links.collect::<Result<Vec<_>, _>>().map_err(Failure::run)?;
+        if links.is_empty() && self.recording.traffic_in(0..=u64::MAX).next().is_none() {
+            return Err(self.nothing(
+                false,
+                "links",
+                "there are no radios in it, or it was recorded by an older version",
+            ));
+        }
         if links.is_empty() {
             return Err(self.nothing(
                 self.recording.links_in(0..=u64::MAX).next().is_some(),
