@@ -254,7 +254,7 @@ fn the_plot_has_dashed_limits_and_both_sources() {
     let program = Program::new();
     let tiny = ["--duration", "0.2 s", "--repeat", "1", "--within", "1 ms"];
     for (figure, sizes, paper) in [
-        ("fig6", ["--obstacles", "10"], "paper: no numbers"),
+        ("fig6", ["--obstacles", "10"], "Paper (2012)"),
         ("fig7", ["--n", "5,20"], "paper: 3,074"),
         ("fig8", ["--n", "5,20"], "paper: 550"),
     ] {

@@ -90,12 +90,8 @@ pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, 
     }
     if let Some(folder) = common.output.as_ref().filter(|_| !common.no_files) {
         // Found before minutes are spent.
-        std::fs::create_dir_all(folder).map_err(|e| {
-            Failure::input(format!(
-                "--output {}: cannot make it: {e}",
-                folder.display()
-            ))
-        })?;
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Failure::run(format!("cannot make {}: {e}", folder.display())))?;
     }
     let budget = Budget::start(common.within_s()?);
     let rows = rows(experiment, &budget)?;
