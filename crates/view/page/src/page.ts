@@ -6,7 +6,7 @@ import { layerNames, readPlace, writePlace, type Place } from "./core/place";
 import type { Settings } from "./core/settings";
 import { throttled } from "./core/signal";
 import type { Run } from "./run";
-import type { SceneView, ViewName } from "./scene/index";
+import type { CameraState, SceneView, ViewName } from "./scene/index";
 import { createScene } from "./scene/scene";
 import { chartsPanel } from "./ui/charts";
 import { helpSheet } from "./ui/help";
@@ -32,6 +32,8 @@ export class Page {
   private beat = 0;
   private drawn_ms = -Infinity;
   private hidden = false;
+  /** Relative to what is followed, which is not there before the first frame of its time. */
+  private pendingCamera: CameraState | null = null;
 
   constructor(
     private readonly run: Run,
@@ -111,7 +113,7 @@ export class Page {
     const vehicle = run.selected.value;
     return {
       ...(run.replay ? { t_s: run.replay.time_s } : {}),
-      ...(this.scene ? { camera: this.scene.camera() } : {}),
+      ...(this.scene ? { camera: this.pendingCamera ?? this.scene.camera() } : {}),
       ...(vehicle === null ? {} : { select: run.path(vehicle) }),
       follow: run.following.value,
       layers: run.layers.value,
@@ -136,7 +138,10 @@ export class Page {
       else run.select(vehicle);
     }
     if (place.follow !== undefined) run.following.value = place.follow && run.selected.value !== null;
-    if (place.camera) this.scene?.setCamera(place.camera);
+    if (place.camera) {
+      this.scene?.setCamera(place.camera);
+      this.pendingCamera = run.following.value ? place.camera : null;
+    }
   }
 
   /** Pictures drawn so far, and their mean time. */
@@ -180,6 +185,10 @@ export class Page {
     if (moment.jumped || this.hidden) scene?.jumped();
     this.hidden = false;
     scene?.show(moment.a, moment.b, moment.f);
+    if (this.pendingCamera && !run.replay?.waiting.value) {
+      scene?.setCamera(this.pendingCamera);
+      this.pendingCamera = null;
+    }
     if (moment.packets.length > 0) scene?.addPackets(moment.packets, this.speed());
     run.time.value = moment.t_s;
     if (run.replay) run.links.value = run.linksAt(moment.t_s);

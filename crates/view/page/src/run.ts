@@ -160,6 +160,8 @@ export class Run {
         break;
       case "error":
         this.say(message.text, true);
+        this.replay?.failed();
+        this.onBusy();
         break;
     }
   }

@@ -120,8 +120,9 @@ export interface Details {
     name: string;
     channel: number | null;
     state: string | null;
-    sent: number;
-    received: number;
+    /** Frames; null if nobody counted. */
+    sent: number | null;
+    received: number | null;
     lost: Record<string, number>;
   }[];
   packets: { t: number; sent: boolean; other: number | null; bytes: number; rssi_dbm: number | null }[];

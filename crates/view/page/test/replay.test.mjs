@@ -123,6 +123,7 @@ test("a click on a chart goes to that time", async () => {
 test("a link restores the view in another tab", async () => {
   await page.keyboard.press("1");
   await page.keyboard.press("e");
+  await page.keyboard.press("f");
   await page.selectOption("#colour-by", "speed");
   await page.keyboard.press("d");
   // Where the camera goes it is at last.
@@ -136,7 +137,7 @@ test("a link restores the view in another tab", async () => {
   await until(page, () => location.hash.length > 1);
   const link = page.url();
   const here = await place(page);
-  assert.ok(here.layers.labels && here.camera.flat !== undefined);
+  assert.ok(here.layers.labels && here.follow && here.camera.flat !== undefined);
   const other = await open(browser, link);
   await until(other, (t) => Math.abs(window.simbeeotic.time_s() - t) < 1e-6, here.t_s);
   const there = await place(other);

@@ -116,7 +116,7 @@ fn radio(view: &View<'_>, radio: &AboutRadio) -> RadioDetails {
     details.lost = lost
         .map(|why| (why.name().to_owned(), counters.lost(why)))
         .collect();
-    (details.sent, details.received) = (counters.sent, counters.received);
+    (details.sent, details.received) = (Some(counters.sent), Some(counters.received));
     if let Some((state, channel)) = view.radio_state(id) {
         details.state = Some(state_name(state).to_owned());
         let is = |number: &u8| Channel::ieee802154(*number).as_ref() == Some(&channel);

@@ -15,12 +15,68 @@ const BACK: [u64; 2] = [2_000_000_000, 60_000_000_000];
 /// Packets that are told.
 const PACKETS: usize = 20;
 
-/// All there is to tell. `numbers`: what the vehicle published.
+/// When a radio sent and received, ns, in order: where its counters were not recorded, but packets were.
+#[derive(Default)]
+pub(super) struct Counted {
+    sent_ns: Vec<u64>,
+    received_ns: Vec<u64>,
+}
+
+/// What the radios of a vehicle sent and received, by their names on board; nothing where counters were recorded.
+pub(super) fn count(shown: &Shown, vehicle: u32) -> BTreeMap<String, Counted> {
+    let mut all: BTreeMap<String, Counted> = BTreeMap::new();
+    let recording = &shown.recording;
+    if recording
+        .traffic_in(0..=u64::MAX)
+        .flatten()
+        .next()
+        .is_some()
+    {
+        return all;
+    }
+    let mut packets = recording.packets_in(0..=u64::MAX).flatten().peekable();
+    if packets.peek().is_none() {
+        return all;
+    }
+    let path = &recording.vehicles()[vehicle as usize].path;
+    let about = recording.about(vehicle as usize).ok().flatten();
+    for radio in about.iter().flat_map(|about| &about.radios) {
+        all.insert(radio.name.clone(), Counted::default());
+    }
+    let on_board = |radio: &str| {
+        let name = radio.strip_prefix(path.as_str())?.strip_prefix('/')?;
+        (!name.contains('/')).then(|| name.to_owned())
+    };
+    for packet in packets {
+        if let Some(name) = on_board(&packet.radio) {
+            all.entry(name).or_default().sent_ns.push(packet.time_ns);
+        }
+        for name in packet
+            .receptions
+            .iter()
+            .filter_map(|it| on_board(&it.radio))
+        {
+            all.entry(name)
+                .or_default()
+                .received_ns
+                .push(packet.time_ns);
+        }
+    }
+    for counted in all.values_mut() {
+        counted.sent_ns.sort_unstable();
+        counted.received_ns.sort_unstable();
+    }
+    all
+}
+
+/// All there is to tell. `numbers`: what the vehicle published; `counted`: what its radios did, if that is known
+/// from packets only.
 pub(super) fn tell(
     shown: &Shown,
     vehicle: u32,
     time_ns: u64,
     numbers: &BTreeMap<String, History>,
+    counted: &BTreeMap<String, Counted>,
 ) -> Details {
     let time_s = seconds(time_ns);
     let path = &shown.recording.vehicles()[vehicle as usize].path;
@@ -55,6 +111,14 @@ pub(super) fn tell(
     }
     add_readings(shown, &mut details, path, time_ns);
     add_radios(shown, &mut details, path, time_ns);
+    for radio in &mut details.radios {
+        let Some(counted) = counted.get(&radio.name) else {
+            continue;
+        };
+        let until = |list: &[u64]| list.partition_point(|&at_ns| at_ns <= time_ns) as u64;
+        radio.sent = Some(until(&counted.sent_ns));
+        radio.received = Some(until(&counted.received_ns));
+    }
     let number = |name: &str| numbers.get(name).map(|history| history.at(time_s));
     details.battery = number("battery/soc").map(|soc| BatteryDetails {
         soc,
@@ -119,7 +183,8 @@ fn add_radios(shown: &Shown, details: &mut Details, path: &str, time_ns: u64) {
             details.radios.len() - 1
         });
         let radio = &mut details.radios[at];
-        (radio.sent, radio.received) = (traffic.total.sent, traffic.total.received);
+        radio.sent = Some(traffic.total.sent);
+        radio.received = Some(traffic.total.received);
         radio.lost = traffic
             .total
             .lost

@@ -28,6 +28,8 @@ pub(super) struct ReplayPage {
     colour: Option<String>,
     /// What the selected vehicle published.
     numbers: BTreeMap<String, History>,
+    /// What its radios did, if only packets tell.
+    counted: BTreeMap<String, details::Counted>,
     fetch: Option<Fetch>,
 }
 
@@ -49,6 +51,7 @@ impl ReplayPage {
             vehicle: None,
             colour: None,
             numbers: BTreeMap::new(),
+            counted: BTreeMap::new(),
             fetch: None,
         }
     }
@@ -84,6 +87,7 @@ impl ReplayPage {
         if self.vehicle != Some(vehicle) {
             self.vehicle = Some(vehicle);
             self.numbers = past::of_vehicle(&self.shown.recording, path);
+            self.counted = details::count(&self.shown, vehicle);
             let list: Vec<SeriesInfo> = self.shown.past.series.of_vehicle(vehicle);
             let known = |info: &SeriesInfo| self.numbers.contains_key(&info.name);
             let list: Vec<SeriesInfo> = list.into_iter().filter(known).collect();
@@ -91,7 +95,7 @@ impl ReplayPage {
                 out.push(Said::Series { list }.message());
             }
         }
-        let details = details::tell(&self.shown, vehicle, time_ns, &self.numbers);
+        let details = details::tell(&self.shown, vehicle, time_ns, &self.numbers, &self.counted);
         out.push(Said::Details(details).message());
     }
 
@@ -227,6 +231,7 @@ impl Page for ReplayPage {
             Asked::Select { vehicle: None, .. } => {
                 self.vehicle = None;
                 self.numbers.clear();
+                self.counted.clear();
             }
             Asked::Select {
                 vehicle: Some(vehicle),
@@ -264,11 +269,13 @@ impl Page for ReplayPage {
                 to_s,
                 step_s,
             } => {
-                if from_s > to_s || step_s < 0.0 {
-                    let text = format!("a fetch from {from_s} s to {to_s} s by {step_s} s is none");
+                if step_s < 0.0 {
+                    let text = format!("a fetch by {step_s} s is none: 0 is all ticks");
                     return Self::error(out, text);
                 }
-                let [from_ns, to_ns, step_ns] = [from_s, to_s, step_s].map(nanoseconds);
+                // A span that ends before it begins is the one tick where it begins.
+                let span_s = [from_s, to_s.max(from_s), step_s];
+                let [from_ns, to_ns, step_ns] = span_s.map(nanoseconds);
                 self.fetch = Some(Fetch {
                     id,
                     times_ns: self.shown.film.wanted(from_ns, to_ns, step_ns),

@@ -253,11 +253,11 @@ pub struct RadioDetails {
     pub channel: Option<u8>,
     /// `listening`, `asleep`, ...
     pub state: Option<String>,
-    /// Frames.
-    pub sent: u64,
-    /// Frames.
-    pub received: u64,
-    /// Frames, by reason.
+    /// Frames; `None` if nobody counted.
+    pub sent: Option<u64>,
+    /// Frames; `None` if nobody counted.
+    pub received: Option<u64>,
+    /// Frames, by reason; empty if nobody counted.
     pub lost: BTreeMap<String, u64>,
 }
 

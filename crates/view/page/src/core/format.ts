@@ -24,7 +24,8 @@ export function fixed(value: number | null | undefined, decimals: number): strin
   return value < 0 && Number(text) !== 0 ? minus + text : text;
 }
 
-export function count(value: number): string {
+export function count(value: number | null): string {
+  if (value === null) return "–";
   return Math.round(value).toLocaleString("en").replaceAll(",", "\u202f");
 }
 

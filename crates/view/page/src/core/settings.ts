@@ -32,9 +32,11 @@ export class Settings {
     this.large = new Signal(remembered("text") === "large");
     this.dark = new Signal(this.isDark());
     const apply = () => {
-      this.dark.value = this.isDark();
-      document.documentElement.dataset.theme = this.dark.value ? "dark" : "light";
+      const dark = this.isDark();
+      document.documentElement.dataset.theme = dark ? "dark" : "light";
       document.documentElement.dataset.text = this.large.value ? "large" : "normal";
+      // Last: who hears of it reads the colours of the theme.
+      this.dark.value = dark;
     };
     apply();
     this.system.addEventListener("change", apply);

@@ -163,6 +163,15 @@ export class ReplayPlayer implements Player {
     this.plan();
   }
 
+  /** The program could not do something: what was asked for may never come, and is not asked for again as it is. */
+  failed(): void {
+    if (!this.fetch) return;
+    if (this.fetch.why === "overview") this.overview = true;
+    this.barren = nameOf(this.fetch);
+    this.fetch = null;
+    this.dirty = true;
+  }
+
   private airIsHere({ from_s, to_s }: Fetch): void {
     if (to_s <= from_s) return;
     const { air } = this;
@@ -311,7 +320,8 @@ export class ReplayPlayer implements Player {
         // Not for each single frame anew: when half of what lies ahead is used up.
         if (this.playing.value && ticks[at]! - this.t_s > ahead_s / 2) return null;
         const from = Math.min(at + 1, ticks.length - 1);
-        return from === at ? null : { why: "ahead", from_s: ticks[from]!, to_s: end_s, step_s };
+        // The tick after a time between two may lie behind the end of what is looked ahead at.
+        return from === at ? null : { why: "ahead", from_s: ticks[from]!, to_s: Math.max(end_s, ticks[from]!), step_s };
       }
       at = next;
     }

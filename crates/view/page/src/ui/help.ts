@@ -32,6 +32,7 @@ export function helpSheet(run: Run, table: Key[]): { element: HTMLDialogElement;
       ...[...groups].map(([title, keys]) => block(title, keys.map((key) => row(key.keys, key.does)))),
       block("Mouse and touch", pointer.map(([what, does]) => h("tr", {}, h("th", { scope: "row", text: what }), h("td", { text: does })))),
     ),
+    ...(run.replay ? [h("p", { class: "faint", text: "Wind is shown of a live run only: a recording has none." })] : []),
     h("p", { class: "faint", text: `Simbeeotic ${run.hello.version}` }),
   );
   element.addEventListener("click", (event) => {

@@ -10,6 +10,9 @@ import { coloursOfKinds } from "../scene/paint";
 import type { Details, Frame } from "../wire";
 import { sensorRows } from "./sensors";
 
+/** Packets that are listed: the newest. */
+const MOST_PACKETS = 8;
+
 interface Section {
   element: HTMLElement;
   update(details: Details): void;
@@ -89,7 +92,7 @@ function shapeOf(details: Details): string {
 function sectionsOf(run: Run, details: Details): Section[] {
   const sections: Section[] = [];
   if (details.battery) sections.push(batterySection());
-  if (details.sensors.length > 0) sections.push(sensorRows(details));
+  if (details.sensors.length > 0) sections.push(sensorRows(details, run.replay !== null));
   if (details.radios.length > 0) sections.push(radioSection(details));
   if (details.packets.length > 0) sections.push(packetsSection(run));
   if (details.parts.length > 0) sections.push(partsSection(details));
@@ -144,7 +147,7 @@ function batterySection(): Section {
       bar.dataset.level = percent < 15 ? "low" : percent < 35 ? "half" : "full";
       bar.setAttribute("aria-valuenow", percent.toFixed(0));
       say(text, `${fixed(percent, percent < 10 ? 1 : 0)} %`);
-      say(rest, `${fixed(battery.voltage_v, 2)} V, ${number(battery.current_a)} A, ${battery.condition}`);
+      say(rest, [`${fixed(battery.voltage_v, 2)} V`, `${number(battery.current_a)} A`, battery.condition].filter(Boolean).join(", "));
     },
   };
 }
@@ -190,7 +193,7 @@ function packetsSection(run: Run): Section {
   return {
     element: h("section", {}, h("h3", { text: "Last packets" }), h("table", { class: "facts packets" }, rows)),
     update({ packets }) {
-      const newest = packets.slice(-8).reverse();
+      const newest = [...packets].sort((a, b) => b.t - a.t).slice(0, MOST_PACKETS);
       rows.replaceChildren(
         ...newest.map((packet) => {
           const other = packet.other;

@@ -55,9 +55,12 @@ export function waitingCard(run: Run, start: () => void): HTMLElement {
     h("p", { text: "This run waits for you." }),
     button("Start", "Space", "Start", start, { class: "tool start" }),
   );
+  // A step does not always take time, but something happens in it.
+  let before: number | null = null;
   const tell = () => {
     const state = run.state.value;
-    show(card, state !== null && state.paused && state.ended === null && state.time_s === 0);
+    before ??= state?.events ?? null;
+    show(card, state !== null && state.paused && state.ended === null && state.time_s === 0 && state.events === before);
   };
   run.state.now(tell);
   return card;

@@ -14,8 +14,8 @@ interface Row {
   update(sensor: SensorDetails): void;
 }
 
-export function sensorRows(details: Details): { element: HTMLElement; update(details: Details): void } {
-  const rows = details.sensors.map(sensorRow);
+export function sensorRows(details: Details, recorded: boolean): { element: HTMLElement; update(details: Details): void } {
+  const rows = details.sensors.map((sensor) => sensorRow(sensor, recorded));
   return {
     element: h("section", { id: "sensors" }, title(), ...rows.map((row) => row.element)),
     update({ sensors }) {
@@ -64,7 +64,7 @@ function matrix(first: SensorDetails, length: number): { element: HTMLElement; u
   };
 }
 
-function sensorRow(first: SensorDetails): Row {
+function sensorRow(first: SensorDetails, recorded: boolean): Row {
   const length = first.reading?.length ?? first.truth?.length ?? 0;
   const columns = Math.max(first.columns.length, 1);
   const grid = columns > 1 && length > columns ? matrix(first, length) : null;
@@ -85,7 +85,7 @@ function sensorRow(first: SensorDetails): Row {
   return {
     element: h("div", { class: "sensor" }, h("div", { class: "first" }, h("strong", { class: "cut", text: first.name }), spark, state), table, more),
     update(sensor) {
-      say(state, sensor.lost ? "lost" : sensor.t === null ? "not read yet" : time(sensor.t));
+      say(state, sensor.lost ? "lost" : sensor.t === null ? (recorded ? "not recorded" : "not read yet") : time(sensor.t));
       state.classList.toggle("warn", sensor.lost);
       grid?.update(sensor);
       cells.forEach((cell, at) => {
