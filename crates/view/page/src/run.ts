@@ -126,6 +126,8 @@ export class Run {
         break;
       case "series":
         this.series.declare(message.list);
+        // A run with more radios than packets are told of has this number all the same.
+        if (this.live) this.found({ radio: message.list.some((it) => it.vehicle === null && it.name === "packets/sent") });
         break;
       case "history":
         this.series.fill(message.id, message.times_s, message.values);

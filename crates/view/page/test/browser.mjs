@@ -23,6 +23,8 @@ export async function launch() {
     timeout: PATIENCE_MS,
     args: [
       "--no-sandbox",
+      // Shared memory may be small where tests run; a picture that does not fit ends the browser.
+      "--disable-dev-shm-usage",
       "--disable-quic",
       "--no-first-run",
       "--disable-background-networking",

@@ -6,6 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { execute, launch, open, scenario, serve, still, until, untilTime } from "./browser.mjs";
 
+/** How long a picture is waited for to stand still. */
+const STILL_MS = 60_000;
 const BYTES_MAX = 300 * 1024;
 const [folder, ...names] = process.argv.slice(2);
 if (!folder) {
@@ -29,8 +31,9 @@ async function select(page, name) {
 /** Takes the picture once nothing moves any more: fine, not as coarse as it is drawn in motion. */
 async function take(page, name) {
   await page.mouse.move(size.width / 2, 4);
+  const until_ms = Date.now() + STILL_MS;
   let before = -1;
-  for (;;) {
+  while (Date.now() < until_ms) {
     const { drawn } = await page.evaluate(() => window.simbeeotic.stats());
     if (drawn === before) break;
     before = drawn;

@@ -12,6 +12,7 @@ export function number(value: number | null | undefined, digits = 3): string {
   for (const [scale, name] of [[1e12, "T"], [1e9, "G"], [1e6, "M"]] as const) {
     if (size >= scale) return `${sign}${(size / scale).toPrecision(digits)} ${name}`;
   }
+  if (Number.isInteger(size) && size < 1000) return sign + size;
   if (size >= 1000) return sign + Math.round(size).toLocaleString("en").replaceAll(",", "\u202f");
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   return sign + size.toFixed(Math.min(decimals, 6));

@@ -25,6 +25,8 @@ import { World } from "./world";
 /** How often hovering asks what is there, and the camera tells where it is, ms. */
 const HOVER_MS = 60;
 const TELL_MS = 250;
+/** The first view goes with the swarm for so long, s of virtual time, unless somebody looks elsewhere. */
+const FIRST_VIEW_S = 10;
 
 const ALL: Layers = { labels: false, trails: true, links: true, packets: true, beams: true, wind: true, grid: true, world: true };
 
@@ -56,6 +58,8 @@ class Scene implements SceneView {
   private details: Details | null = null;
   private dark: boolean;
   private placed = false;
+  /** When the view that nobody has chosen began; null: somebody has. */
+  private firstView_s: number | null = null;
   private request = 0;
   private lastDraw = 0;
   private moving = false;
@@ -114,7 +118,10 @@ class Scene implements SceneView {
     );
     this.ends.push(
       listen(canvas, this.orbit, {
-        moved: () => this.go(),
+        moved: () => {
+          this.firstView_s = null;
+          this.go();
+        },
         click: (x, y) => this.click(x, y),
         doubleClick: (x, y) => this.doubleClick(x, y),
         hover: (at) => this.hover(at),
@@ -145,7 +152,8 @@ class Scene implements SceneView {
     if (!this.placed) {
       this.placed = true;
       this.frameSwarm(true);
-    }
+      this.firstView_s = a.time;
+    } else if (this.firstView_s !== null) this.keepInSight(b.time - this.firstView_s);
     this.changed();
   }
 
@@ -193,20 +201,24 @@ class Scene implements SceneView {
   }
 
   follow(vehicle: number | null): void {
+    if (vehicle !== null) this.firstView_s = null;
     this.orbit.follow(vehicle === null ? null : () => this.frames.place(vehicle));
     this.go();
   }
 
   setView(name: ViewName): void {
+    this.firstView_s = null;
     this.orbit.setView(name);
     this.go();
   }
 
   fit(): void {
+    this.firstView_s = null;
     this.frameSwarm(false);
   }
 
   setCamera(state: CameraState): void {
+    this.firstView_s = null;
     this.orbit.set(state);
     this.placed = true;
     this.changed();
@@ -409,6 +421,25 @@ class Scene implements SceneView {
     this.go();
   }
 
+  /** A swarm that leaves the first view is followed by it: what starts far from where it goes would leave it empty. */
+  private keepInSight(passed_s: number): void {
+    if (passed_s < 0 || passed_s > FIRST_VIEW_S) {
+      this.firstView_s = null;
+      return;
+    }
+    if (this.moving) return;
+    let [seen, all] = [0, 0];
+    const at = new THREE.Vector4();
+    for (let i = 0; i < this.frames.count; i++) {
+      const p = this.frames.place(i);
+      if (!p) continue;
+      all += 1;
+      at.set(...p, 1).applyMatrix4(this.view);
+      if (at.w > 0 && Math.abs(at.x) <= at.w && Math.abs(at.y) <= at.w) seen += 1;
+    }
+    if (seen < 0.7 * all) this.frameSwarm(false);
+  }
+
   // People.
 
   private click(x: number, y: number): void {
@@ -419,6 +450,7 @@ class Scene implements SceneView {
     const vehicle = this.vehicleAt(x, y);
     const point = vehicle === null ? this.pointAt(x, y) : this.frames.place(vehicle);
     if (!point || this.orbit.following()) return;
+    this.firstView_s = null;
     this.orbit.lookAt(point);
     this.go();
   }

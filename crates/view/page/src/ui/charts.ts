@@ -13,10 +13,12 @@ import type { Run } from "../run";
 import { batteryName } from "../run";
 
 /** Charts that are there before anybody chose any. */
-const USUAL = ["speed", "packets/sent", "packets/received", "packets/delivery", "contacts", "energy"];
+const USUAL = ["speed", "contacts", "energy", "packets/received", "packets/delivery", "packets/sent"];
 const MOST_USUAL = 4;
 const PERIOD_MS = 250;
 const SYNC = "time";
+/** What is counted is told of short times: a mean over this is what people read. */
+const MEAN_S = 1;
 
 export function chartsPanel(run: Run, settings: Settings): HTMLElement {
   const row = h("div", { class: "charts", id: "chart-row" });
@@ -123,6 +125,9 @@ class Chart {
   readonly element: HTMLElement;
   private readonly field = h("div", { class: "field" });
   private readonly value = h("output", { class: "figure" });
+  private readonly title: HTMLElement;
+  /** As it is drawn. */
+  private values: (number | null)[] = [];
   private plot: uPlot | null = null;
   private drawn = { line: null as Line | null, version: -1, now_s: NaN };
   private readonly sizes: ResizeObserver;
@@ -133,13 +138,14 @@ class Chart {
     remove: () => void,
   ) {
     const label = words(key.name);
+    this.title = h("span", { class: "cut", text: label });
     this.element = h(
       "figure",
       { class: "chart", "data-series": nameOf(key) },
       h(
         "figcaption",
         {},
-        h("span", { class: "cut", text: label, title: key.own ? `${label} of the selected vehicle` : label }),
+        this.title,
         key.own && h("span", { class: "own", title: "of the selected vehicle" }),
         this.value,
         button(`Remove the chart of ${label}`, null, icon("close"), remove, { class: "tool small" }),
@@ -175,10 +181,14 @@ class Chart {
       line.asked = true;
       this.run.send({ type: "history", id: line.about.id });
     }
+    const label = `${words(this.key.name)}${unitOf(line) === "" ? "" : `, ${unitOf(line)}`}`;
+    say(this.title, label);
+    this.title.title = this.key.own ? `${label}, of the selected vehicle` : label;
     if (!this.plot) this.build();
     if (!this.plot) return;
     if (this.drawn.line !== line || this.drawn.version !== line.version) {
-      this.plot.setData([line.times, line.values]);
+      this.values = line.about.unit === "1/s" ? meanOver(line.times, line.values, MEAN_S) : line.values;
+      this.plot.setData([line.times, this.values]);
     } else if (this.run.replay && this.drawn.now_s !== now_s) {
       this.plot.redraw(false, false);
     }
@@ -198,9 +208,9 @@ class Chart {
     if (!line) return;
     const under = plot.cursor.idx;
     const there = plot.cursor.left !== undefined && plot.cursor.left >= 0 && under !== null && under !== undefined;
-    const value = there ? (line.values[under] ?? null) : this.run.replay ? line.at(this.run.time.value) : line.last;
+    const value = there ? (this.values[under] ?? null) : this.run.replay || this.values.length === 0 ? (this.run.replay ? line.at(this.run.time.value) : line.last) : (this.values.at(-1) ?? null);
     const at = there ? ` at ${time(line.times[under] ?? 0)}` : "";
-    say(this.value, `${number(value)}${unit(line.about.unit)}${at}`);
+    say(this.value, `${number(value)}${unit(unitOf(line))}${at}`);
   }
 
   private build(): void {
@@ -226,15 +236,15 @@ class Chart {
       {
         width,
         height,
-        padding: [6, size_px * 1.2, 0, 0],
+        padding: [6, size_px * 2.6, 0, 0],
         legend: { show: false },
         scales: {
           x: replay ? { time: false, range: [replay.span.from_s, Math.max(replay.span.to_s, replay.span.from_s + 1e-3)] } : { time: false },
-          y: { range: rangeOf },
+          y: { range: RATIO.test(this.key.name) ? [0, 1] : rangeOf },
         },
         axes: [
           axis((x, step) => time(x, decimalsOf(step)), size_px * 1.8),
-          { ...axis((x, step) => (Math.abs(x) < 1000 ? fixed(x, decimalsOf(step)) : number(x)), size_px * 4), space: size_px * 2.2 },
+          { ...axis((x, step) => figureOf(x, step), size_px * 4), space: size_px * 2.2 },
         ],
         series: [{}, { stroke: colour("--accent"), width: 1.5, points: { show: false }, spanGaps: true }],
         cursor: { sync: { key: SYNC, setSeries: false }, drag: { x: false, y: false, setScale: false }, y: false, points: { size: 6 } },
@@ -282,6 +292,47 @@ class Chart {
     if (this.plot) this.plot.setSize({ width, height });
     else this.update();
   }
+}
+
+/** Shares: of a whole, which is always in sight. */
+const RATIO = /(^|\/)(delivery|soc)$/;
+
+/** The unit of a series as people write it: a pace is a factor. */
+function unitOf({ about }: Line): string {
+  if (about.name === "speed" && about.vehicle === null) return "×";
+  return about.unit === "1" ? "" : about.unit;
+}
+
+/** A label of an axis with as many digits as tell it from the next. */
+function figureOf(x: number, step: number): string {
+  if (x === 0) return "0";
+  if (step < 1e-6) return x.toExponential(1).replace("-", "−");
+  if (Math.abs(x) < 1000) return fixed(x, decimalsOf(step));
+  return number(x, Math.min(Math.max(3, Math.ceil(Math.log10(Math.abs(x) / step)) + 1), 9));
+}
+
+/** The mean of each value and those less than a time before it. */
+export function meanOver(times_s: number[], values: (number | null)[], span_s: number): (number | null)[] {
+  let first = 0;
+  let sum = 0;
+  let known = 0;
+  return values.map((value, at) => {
+    if (value !== null) {
+      sum += value;
+      known += 1;
+    }
+    while (times_s[first]! <= times_s[at]! - span_s + 1e-9) {
+      const old = values[first];
+      if (old !== null && old !== undefined) {
+        sum -= old;
+        known -= 1;
+      }
+      first += 1;
+    }
+    // What is left of numbers that cancel is nothing.
+    if (known === 0) sum = 0;
+    return value === null ? null : Math.max(sum / known, Math.min(0, value));
+  });
 }
 
 /** Decimals that tell steps of an axis apart. */

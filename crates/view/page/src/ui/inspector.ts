@@ -20,7 +20,7 @@ interface Section {
 
 export function inspector(run: Run): HTMLElement {
   const dot = h("span", { class: "dot" });
-  const name = h("h2", { class: "cut", id: "selected-name" });
+  const name = h("h2", { id: "selected-name" });
   const kind = h("p", { class: "faint cut", id: "selected-kind" });
   const follow = button("Follow", "f", "Follow", () => (run.following.value = !run.following.value), {
     class: "tool plain",

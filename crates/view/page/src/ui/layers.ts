@@ -1,9 +1,10 @@
 // The panel on the left: what is drawn, by what it is coloured, and from where it is seen.
 
-import { button, h, show } from "../core/dom";
+import { button, h, say, show } from "../core/dom";
 import { fixed, number, unit, words } from "../core/format";
 import { layerNames } from "../core/place";
 import { batteryName, type Run } from "../run";
+import { GREY, css } from "../scene/colours";
 import type { ColourBy, Layers, Legend, ViewName } from "../scene/index";
 
 export const layerWords: { [name in keyof Layers]: string } = {
@@ -26,6 +27,11 @@ export const views: [name: ViewName, label: string, key: string, short: string][
   ["west", "From the west", "w", "W"],
 ];
 
+/** With more radios the program tells packets of the selected vehicle, and no links. */
+const MOST_RADIOS = 256;
+/** With more vehicles only the selected one has a trail. */
+const MOST_TRAILS = 500;
+
 export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () => void): HTMLElement {
   return h(
     "section",
@@ -47,6 +53,15 @@ export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () =>
 
 function layerBoxes(run: Run): HTMLElement {
   const list = h("div", { class: "checks" });
+  const hints = new Map((["trails", "links", "packets"] as const).map((name) => [name as keyof Layers, h("span", { class: "faint" })]));
+  const hint = () => {
+    const many = run.count > MOST_RADIOS;
+    say(hints.get("trails")!, run.count > MOST_TRAILS ? " of the selected vehicle" : "");
+    say(hints.get("packets")!, !many ? "" : run.selected.value === null ? ": select a vehicle" : " of the selected vehicle");
+    say(hints.get("links")!, many && run.links.value.length === 0 ? ` of up to ${MOST_RADIOS} radios` : "");
+  };
+  run.selected.now(hint);
+  run.links.on(hint);
   const rows = new Map<keyof Layers, { row: HTMLElement; box: HTMLInputElement }>();
   layerNames.forEach((name, at) => {
     const box = h("input", {
@@ -55,7 +70,7 @@ function layerBoxes(run: Run): HTMLElement {
       "aria-keyshortcuts": String(at + 1),
       on: { change: () => run.toggleLayer(name) },
     });
-    const row = h("label", { class: "check" }, box, h("span", { text: layerWords[name] }), h("kbd", { text: String(at + 1) }));
+    const row = h("label", { class: "check" }, box, h("span", {}, layerWords[name], hints.get(name) ?? null), h("kbd", { text: String(at + 1) }));
     rows.set(name, { row, box });
     list.append(row);
   });
@@ -118,6 +133,8 @@ function entries(legend: Legend): HTMLElement[] {
   const bar = h("div", { class: "ramp" });
   bar.style.background = `linear-gradient(to right, ${legend.stops.join(", ")})`;
   const near = Math.max(Math.abs(legend.low), Math.abs(legend.high)) < 1000;
+  const grey = h("span", { class: "dot" });
+  grey.style.background = css(GREY);
   const span = legend.high - legend.low;
   const end = (value: number) => (near && span > 0 ? fixed(value, Math.max(0, 2 - Math.floor(Math.log10(span)))) : number(value));
   return [
@@ -129,6 +146,7 @@ function entries(legend: Legend): HTMLElement[] {
       h("span", { class: "faint cut", text: `${legend.title}${legend.unit && legend.unit !== "1" ? `, ${legend.unit}` : ""}` }),
       h("span", { text: end(legend.high) }),
     ),
+    ...(legend.title === "speed" ? [] : [h("div", { class: "entry" }, grey, h("span", { class: "faint", text: "no value" }))]),
   ];
 }
 

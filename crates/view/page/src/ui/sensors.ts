@@ -1,12 +1,14 @@
 // Sensors of the selected vehicle: what each reads, what is true, and how both went lately.
 
-import { h, say, show } from "../core/dom";
+import { button, h, say, show } from "../core/dom";
 import { number, time } from "../core/format";
 import type { Details, SensorDetails } from "../wire";
 
 /** Values of one sensor that are listed; a camera has more than anybody reads. */
 const MOST_VALUES = 6;
 const MOST_LINES = 8;
+/** Lines that can be unfolded. */
+const MOST_UNFOLDED = 1024;
 const POINTS = 120;
 
 interface Row {
@@ -41,17 +43,19 @@ function title(): HTMLElement {
 }
 
 /** A sensor with several readings at once, a ring of range finders: a line each, and what is true of the last value. */
-function matrix(first: SensorDetails, length: number): { element: HTMLElement; update(sensor: SensorDetails): void } {
+function matrix(first: SensorDetails, length: number): { element: HTMLElement; rows: HTMLElement[]; update(sensor: SensorDetails): void } {
   const columns = first.columns.length;
-  const shown = Math.min(Math.ceil(length / columns), MOST_LINES);
+  const shown = Math.min(Math.ceil(length / columns), MOST_UNFOLDED);
   const lines = Array.from({ length: shown }, () => Array.from({ length: columns + 1 }, (_, at) => h("td", { class: at < columns ? "figure" : "figure faint" })));
   const title = ([name, of]: [string, string]) => h("td", { class: "figure faint", text: of === "1" || of === "" ? name : `${name}, ${of}` });
+  const rows = lines.map((cells) => h("tr", {}, ...cells));
   return {
+    rows,
     element: h(
       "table",
       { class: "facts matrix" },
       h("tr", {}, ...first.columns.map(title), h("td", { class: "figure faint", text: "true" })),
-      ...lines.map((cells) => h("tr", {}, ...cells)),
+      ...rows,
     ),
     update(sensor) {
       lines.forEach((cells, line) => {
@@ -64,13 +68,28 @@ function matrix(first: SensorDetails, length: number): { element: HTMLElement; u
   };
 }
 
+/** Shows the rows that are too many at first, and hides them again. */
+function unfold(rows: HTMLElement[], values: number): HTMLElement {
+  let open = false;
+  const toggle = button("All values", null, "", () => set(!open), { class: "name-link" });
+  const set = (now: boolean) => {
+    open = now;
+    for (const row of rows) show(row, open);
+    const rest = rows.length >= MOST_UNFOLDED - MOST_LINES ? " (the first of them)" : "";
+    say(toggle, open ? "fewer values" : `and ${values} more values${rest}`);
+    toggle.setAttribute("aria-expanded", String(open));
+  };
+  set(false);
+  return toggle;
+}
+
 function sensorRow(first: SensorDetails, recorded: boolean): Row {
   const length = first.reading?.length ?? first.truth?.length ?? 0;
   const columns = Math.max(first.columns.length, 1);
   const grid = columns > 1 && length > columns ? matrix(first, length) : null;
   const state = h("span", { class: "faint figure" });
   const spark = h("canvas", { class: "spark", "aria-hidden": "true" });
-  const cells = Array.from({ length: grid ? 0 : Math.min(length, MOST_VALUES) }, (_, at) => {
+  const cells = Array.from({ length: grid ? 0 : Math.min(length, MOST_UNFOLDED) }, (_, at) => {
     const [column, of] = first.columns[at % columns] ?? ["", ""];
     const name = length > columns ? `${column} ${at + 1}` : column;
     const reading = h("td", { class: "figure" });
@@ -78,8 +97,8 @@ function sensorRow(first: SensorDetails, recorded: boolean): Row {
     const row = h("tr", {}, h("th", { scope: "row", text: name.trim() }), reading, truth, h("td", { class: "faint", text: of === "1" ? "" : of }));
     return { row, reading, truth };
   });
-  const hidden = grid ? length - MOST_LINES * columns : length - MOST_VALUES;
-  const more = hidden > 0 ? h("p", { class: "faint", text: `and ${hidden} more values` }) : null;
+  const folded = grid ? grid.rows.slice(MOST_LINES) : cells.slice(MOST_VALUES).map((cell) => cell.row);
+  const more = folded.length > 0 ? unfold(folded, grid ? length - MOST_LINES * columns : length - MOST_VALUES) : null;
   const table = grid ? grid.element : h("table", { class: "facts values" }, ...cells.map((cell) => cell.row));
   const past: { t: number; reading: number | null; truth: number | null }[] = [];
   return {
