@@ -301,6 +301,7 @@ fn page(sections: &[Section]) -> String {
             let file = match &picture.source {
                 Source::Bench(figure) => format!("figures/{figure}.svg"),
                 Source::Plot => format!("gallery/{name}.svg"),
+                Source::Page(_) => format!("gallery/{name}.jpg"),
                 _ => format!("gallery/{name}.png"),
             };
             let _ = write!(page, "\n{caption}\n\n![{name}](../../images/{file})\n");

@@ -1,6 +1,6 @@
 // Takes the pictures of the page for the book.
 //   SIMBEEOTIC=program node test/gallery.mjs FOLDER [NAME ...]
-// NAME: live, replay, dark, many; without names all. One PNG each, `page-NAME.png`.
+// NAME: live, replay, dark, many; without names all. One JPEG each, `page-NAME.jpg`.
 import { mkdirSync, mkdtempSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -39,8 +39,8 @@ async function take(page, name) {
     before = drawn;
     await page.waitForTimeout(1500);
   }
-  const path = join(folder, `page-${name}.png`);
-  await page.screenshot({ path, animations: "disabled", timeout: 120_000 });
+  const path = join(folder, `page-${name}.jpg`);
+  await page.screenshot({ path, type: "jpeg", quality: 86, animations: "disabled", timeout: 120_000 });
   const bytes = statSync(path).size;
   console.log(`${path}: ${Math.round(bytes / 1024)} KiB`);
   if (bytes > BYTES_MAX) console.error(`${path} has more than ${BYTES_MAX / 1024} KiB`);
@@ -50,9 +50,8 @@ async function take(page, name) {
 
 try {
   if (wanted("live")) {
-    const run = await serve("run", scenario("meadow"), "--view", "--paused", "--no-record");
+    const run = await serve("run", scenario("meadow"), "--view", "--paused", "--no-record", "--real-time", "5");
     const page = await open(browser, `${run.url}#camera=30,-34,22,0,2,3&layers=links,packets,beams,trails,grid,world&theme=light`, { viewport: size });
-    await page.click("#max-pace");
     await page.keyboard.press("Space");
     await untilTime(page, 30);
     await page.click("#real-time");
@@ -74,7 +73,10 @@ try {
       if (!wanted(name)) continue;
       const page = await open(browser, run.url + view, { viewport: size });
       await page.locator("#parameters").waitFor({ state: "attached" });
-      await until(page, () => Math.abs(window.simbeeotic.frame().time - window.simbeeotic.time_s()) < 0.01);
+      await until(page, () => {
+        const frame = window.simbeeotic.frame();
+        return frame && Math.abs(frame.time - window.simbeeotic.time_s()) < 0.01;
+      });
       await take(page, name);
     }
     await run.kill();
