@@ -331,7 +331,8 @@ export function meanOver(times_s: number[], values: (number | null)[], span_s: n
     }
     // What is left of numbers that cancel is nothing.
     if (known === 0) sum = 0;
-    return value === null ? null : Math.max(sum / known, Math.min(0, value));
+    const mean = Math.abs(sum) < 1e-9 ? 0 : sum / known;
+    return value === null ? null : Math.max(mean, Math.min(0, value));
   });
 }
 
