@@ -2,8 +2,8 @@
 //! them, notes below.
 
 use super::axes::{Axis, Panel};
-use super::font;
 use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
+use simbeeotic_view::render::words;
 
 /// What stands at the points of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +68,7 @@ impl Chart {
         let names = self
             .curves
             .iter()
-            .map(|curve| font::width(&curve.name, SMALL));
+            .map(|curve| words::width(&curve.name, SMALL));
         let key = names.fold(0.0, f64::max) + 62.0;
         // Labels of upright rules stand above the panel, one row each.
         let upright = |rule: &&Rule| matches!(rule.across, Across::X(_));
@@ -96,7 +96,7 @@ impl Chart {
         for (at, note) in self.notes.iter().enumerate() {
             let up = LINE * (self.notes.len() - at) as f64;
             let room = f64::from(width) - 48.0;
-            let size = SMALL.min(SMALL * room / font::width(note, SMALL).max(1.0));
+            let size = SMALL.min(SMALL * room / words::width(note, SMALL).max(1.0));
             let place = [24.0, f64::from(height) + 7.0 - up];
             sheet.words(place, note.as_str(), size, Anchor::Start, FAINT);
         }
@@ -116,7 +116,7 @@ impl Chart {
                     let ends = vec![[x, above + 3.0], [x, bottom]];
                     sheet.dashed(ends, rule.ink, 1.8, DASH);
                     // On the side where there is room.
-                    let half = 0.5 * font::width(label, SMALL);
+                    let half = 0.5 * words::width(label, SMALL);
                     let middle = x.max(left + half).min(f64::from(sheet.width) - 24.0 - half);
                     sheet.words(
                         [middle, above - 2.0],

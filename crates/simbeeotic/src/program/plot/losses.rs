@@ -3,11 +3,11 @@
 use super::super::Failure;
 use super::arguments::LossOptions;
 use super::axes::{Axis, Panel, grouped, number};
-use super::font;
 use super::palette::series;
 use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
 use super::source::Sources;
 use simbeeotic_record::{Tallies, Traffic};
+use simbeeotic_view::render::words;
 
 /// Narrower bars are not told apart: periods are put together.
 const BARS_MAX: usize = 200;
@@ -72,7 +72,7 @@ fn draw(sheet: &mut Sheet, bars: &[Bar], period_s: f64, reasons: &[(String, u64)
             (series(at), words)
         })
         .collect();
-    let widest = entries.iter().map(|(_, words)| font::width(words, SMALL));
+    let widest = entries.iter().map(|(_, words)| words::width(words, SMALL));
     let legend = widest.fold(0.0, f64::max);
     let right = width - 52.0 - legend.max(60.0);
     let top = HEAD + 12.0;

@@ -2,8 +2,8 @@
 //! keep out of each other's way, and the columns at the right.
 
 use super::axes::{Axis, Panel, nice, number};
-use super::font;
 use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
+use simbeeotic_view::render::words;
 
 /// The width of the column at the right.
 pub(super) const LEGEND: f64 = 196.0;
@@ -97,7 +97,7 @@ impl Names {
         size: f64,
         crowd: impl Fn(f64, f64) -> f64,
     ) {
-        let wide = font::width(text, size);
+        let wide = words::width(text, size);
         let mut best = (f64::INFINITY, [0.0; 4]);
         for (dx, dy) in [
             (1.0, 0.0),
@@ -167,7 +167,7 @@ impl Column {
 
     /// Words.
     pub(super) fn say(&mut self, sheet: &mut Sheet, text: &str, ink: Ink) {
-        let size = SMALL.min(SMALL * (LEGEND - 10.0) / font::width(text, SMALL).max(1.0));
+        let size = SMALL.min(SMALL * (LEGEND - 10.0) / words::width(text, SMALL).max(1.0));
         sheet.words([self.left, self.y], text, size, Anchor::Start, ink);
         self.y += 20.0;
     }
@@ -212,7 +212,7 @@ impl Column {
     }
 
     fn beside_mark(&mut self, sheet: &mut Sheet, text: &str) {
-        let size = (SMALL * (LEGEND - 44.0) / font::width(text, SMALL).max(1.0)).clamp(9.0, SMALL);
+        let size = (SMALL * (LEGEND - 44.0) / words::width(text, SMALL).max(1.0)).clamp(9.0, SMALL);
         let at = [self.left + 33.0, self.y];
         sheet.words(at, text, size, Anchor::Start, TEXT);
         self.y += 20.0;

@@ -2,7 +2,7 @@
 //!
 //! Each kind of picture is a function from a recording to a [`Sheet`](sheet::Sheet): a list of lines, areas, discs and
 //! words in pixels. A sheet becomes SVG by printing it ([`svg`]), PNG by filling outlines ([`png`]); the
-//! letters are part of the program ([`font`]), so that a picture is the same everywhere. [`axes`] and
+//! letters are part of the program (`simbeeotic_view::render::words`), so that a picture is the same everywhere. [`axes`] and
 //! [`palette`] are for all kinds. Other commands draw with [`Sheet`], [`axes`] and [`save`], too.
 //!
 //! Why there is no plotting library below it: `docs/adr/0014-plots-without-a-library.md`.
@@ -15,7 +15,6 @@ mod coverage;
 mod delivery;
 mod faces;
 mod flights;
-pub(super) mod font;
 mod ground;
 mod histogram;
 mod lines;

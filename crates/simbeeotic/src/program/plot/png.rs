@@ -1,7 +1,7 @@
 //! A picture as PNG.
 
-use super::font;
 use super::sheet::{Anchor, Ink, Shape, Sheet, WHITE, Words};
+use simbeeotic_view::render::words;
 use tiny_skia::{
     Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
     Stroke, StrokeDash, Transform,
@@ -68,13 +68,13 @@ fn draw(pixels: &mut Pixmap, shape: &Shape) -> Option<()> {
 
 fn letters(pixels: &mut Pixmap, words: &Words) -> Option<()> {
     let Words { text, size, .. } = words;
-    let outline = font::outline(text, *size)?;
+    let outline = words::outline(text, *size)?;
     let share = match words.anchor {
         Anchor::Start => 0.0,
         Anchor::Middle => 0.5,
         Anchor::End => 1.0,
     };
-    let back = -(font::width(text, *size) * share) as f32;
+    let back = -(words::width(text, *size) * share) as f32;
     let [x, y] = words.at;
     let mut place = Transform::from_translate(x as f32, y as f32);
     if words.upwards {

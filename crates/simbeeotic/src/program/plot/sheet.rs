@@ -1,7 +1,7 @@
 //! What a picture is made of, whatever file it becomes: lines, areas, discs, words, in pixels from the
 //! upper left corner.
 
-use super::font;
+use simbeeotic_view::render::words;
 
 /// A colour, and how much of it covers what is below.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,7 +121,7 @@ impl Sheet {
             shapes: Vec::new(),
         };
         let room = f64::from(width) - 48.0;
-        let fit = |text: &str, size: f64| size.min(size * room / font::width(text, size).max(1.0));
+        let fit = |text: &str, size: f64| size.min(size * room / words::width(text, size).max(1.0));
         sheet.words([24.0, 36.0], title, fit(title, TITLE), Anchor::Start, TEXT);
         sheet.words(
             [24.0, 60.0],
