@@ -9,6 +9,8 @@ use simbeeotic_physics::{BodyId, BodySpec, Config, Mobility, Motion, Physics};
 use simbeeotic_units::glam::DVec3;
 
 const BODIES: u32 = 12;
+/// At most 20 m/s^2, so that a second of flight is no more than a few tens of metres.
+const MOST_FORCE_N: f64 = 10.0;
 
 fn direction(stream: &mut Stream) -> DVec3 {
     stream.in_ball(1.0)
@@ -39,7 +41,7 @@ fn heap(stream: &mut Stream) -> Physics {
             } else {
                 Mobility::Free
             },
-            ..BodySpec::new(shape, stream.uniform_in(0.05..2.0))
+            ..BodySpec::new(shape, stream.uniform_in(0.5..2.0))
         };
         physics.add(spec).unwrap();
     }
@@ -53,7 +55,7 @@ fn meddle(motion: &mut Motion, now: SimTime, stream: &mut Stream) {
     // Whatever is refused changes nothing.
     let _ = match stream.below(4) {
         0 => motion.set_velocity(now, 5.0 * direction(stream)),
-        1 => motion.set_force(now, 20.0 * direction(stream)),
+        1 => motion.set_force(now, MOST_FORCE_N * direction(stream)),
         2 => motion.set_position(now, place + 3.0 * direction(stream)),
         _ => motion.set_velocity(now, DVec3::ZERO),
     };
