@@ -77,9 +77,11 @@ pub use simbeeotic_units as units;
 pub use simbeeotic_view as view;
 pub use simbeeotic_world as world;
 
+mod experiment;
 mod library;
 pub mod program;
 
+pub use experiment::Experiment;
 pub use library::{Error, Run, run_file, run_text};
 
 /// What a file with a behaviour in it wants to see.

@@ -1,6 +1,7 @@
 //! A run in one call, for tests and small programs.
 
 use simbeeotic_model::config::{Fault, Sources};
+use simbeeotic_model::summary::MetricLine;
 use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
 use simbeeotic_units::{Pose, Twist};
@@ -36,6 +37,17 @@ impl Run {
         self.simulation.twist(path)
     }
 
+    /// What the models have published under this name, all together. `None` if nobody has.
+    pub fn metric(&self, name: &str) -> Option<&MetricLine> {
+        self.summary.metrics.iter().find(|line| line.name == name)
+    }
+
+    /// The sum of the last values that models have published under this name: the value itself, if one
+    /// model has. 0 if nobody has, as for a count that never began.
+    pub fn total(&self, name: &str) -> f64 {
+        self.metric(name).map_or(0.0, |line| line.sum)
+    }
+
     /// Everything else about the run.
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
@@ -67,13 +79,25 @@ pub fn run_text(text: &str) -> Result<Run, Error> {
 }
 
 fn run(loaded: Result<Loaded, Rejected>) -> Result<Run, Error> {
+    finish(simulation(loaded, |_| ())?)
+}
+
+/// From a checked scenario to a run before its first event; `change` has the last word on its set-up.
+pub(crate) fn simulation(
+    loaded: Result<Loaded, Rejected>,
+    change: impl FnOnce(&mut Setup),
+) -> Result<Simulation, Error> {
     let loaded =
         loaded.map_err(|r| Error::Scenario(render::faults(&r.faults, &r.sources, false)))?;
-    let setup: Setup = loaded
+    let mut setup = loaded
         .setup()
         .map_err(|faults| Error::Scenario(render::faults(&faults, loaded.sources(), false)))?;
-    let mut simulation =
-        Simulation::new(setup).map_err(|e| Error::Scenario(setup_text(&loaded, e, false)))?;
+    change(&mut setup);
+    Simulation::new(setup).map_err(|e| Error::Scenario(setup_text(&loaded, e, false)))
+}
+
+/// Runs to the end.
+pub(crate) fn finish(mut simulation: Simulation) -> Result<Run, Error> {
     let outcome = simulation.run();
     match outcome.error {
         Some(error) => Err(error.into()),
