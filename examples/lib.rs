@@ -6,7 +6,8 @@
 
 /// An example's scenario, for its test: `example("hive/scenario.toml")`.
 #[cfg(test)]
-#[allow(dead_code, reason = "until the first example")]
 fn example(file: &str) -> simbeeotic::Experiment {
     simbeeotic::Experiment::file(format!("{}/{file}", env!("CARGO_MANIFEST_DIR")))
 }
+
+pub mod drop;
