@@ -2,10 +2,11 @@
 //!
 //! | kind | parts |
 //! |---|---|
-//! | vehicles | [`vehicle::simple_bee`] |
+//! | vehicles | [`vehicle::simple_bee`], [`vehicle::ghost`] |
 //! | behaviours | [`behavior::random_walk`], [`behavior::instrument`], [`behavior::inert`], [`behavior::cruise`], [`behavior::broadcast`], [`behavior::hive`], [`behavior::charging_hive`], [`behavior::forager`], [`behavior::balloon`], [`behavior::scent`], [`behavior::beacon_bee`], [`behavior::flood_bee`], [`behavior::slot_bee`] |
 //! | sensors | [`sensor::compass`], [`sensor::position`], [`sensor::barometer`], [`sensor::light`], [`sensor::smell`], [`sensor::battery`], [`sensor::motor`], [`sensor::link`], [`sensor::clock`] |
 //! | fading | [`fading::rayleigh`], [`fading::rician`], [`fading::nakagami`] |
+//! | what a hive owns | [`dock`]: a deck with chargers |
 //! | layers on radio | [`net`]: neighbours, flooding, time slots |
 //! | generators of worlds | [`generator`] |
 //! | weather | [`weather::constant`], [`weather::atmosphere`] |
@@ -17,6 +18,7 @@
 pub mod aerodynamics;
 pub mod antenna;
 pub mod behavior;
+pub mod dock;
 pub mod fading;
 pub mod generator;
 pub mod medium;
