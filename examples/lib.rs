@@ -11,3 +11,4 @@ fn example(file: &str) -> simbeeotic::Experiment {
 }
 
 pub mod drop;
+pub mod wind;
