@@ -23,6 +23,7 @@
 )]
 
 mod arrows;
+mod figure;
 mod gallery;
 mod golden;
 mod new_project;

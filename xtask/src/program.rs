@@ -42,16 +42,26 @@ impl<'a> Program<'a> {
     /// Builds the program. Costs nothing when it is fresh, and a stale program would compare
     /// yesterday's traces.
     pub(crate) fn build(repo: &'a Repo, profile: Profile) -> Result<Self> {
-        println!("   building simbeeotic ({})", profile.name());
+        Self::of(repo, profile, "simbeeotic")
+    }
+
+    /// Builds the program with the examples' parts on its shelf: the one of `cargo run`.
+    pub(crate) fn with_examples(repo: &'a Repo, profile: Profile) -> Result<Self> {
+        Self::of(repo, profile, "simbeeotic-examples")
+    }
+
+    /// Builds the program of a package, which is called as the package is.
+    fn of(repo: &'a Repo, profile: Profile, name: &str) -> Result<Self> {
+        println!("   building {name} ({})", profile.name());
         let status = repo
             .cargo()
             .args(["build", "--quiet", "--profile", profile.name()])
-            .args(["--package", "simbeeotic", "--bin", "simbeeotic"])
+            .args(["--package", name, "--bin", name])
             .status()
             .context("cannot run cargo build")?;
         ensure!(status.success(), "the program does not build");
 
-        let name = format!("simbeeotic{}", std::env::consts::EXE_SUFFIX);
+        let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
         let binary = repo.target_dir()?.join(profile.folder()).join(name);
         ensure!(binary.is_file(), "{} was not built", binary.display());
         Ok(Self { repo, binary })

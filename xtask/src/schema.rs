@@ -6,30 +6,46 @@ use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
 
-/// Beside the scenarios, so that their `#:schema` line finds it.
-const FILE: &str = "scenarios/scenario.schema.json";
+/// Beside the scenarios, so that their `#:schema` line finds it: of the parts on the shelf.
+const SHELF: &str = "scenarios/scenario.schema.json";
+/// Beside the examples: of their parts, too.
+const EXAMPLES: &str = "examples/scenario.schema.json";
 
-/// Compares, or with `accept` rewrites, the schema.
+/// Compares, or with `accept` rewrites, the schemas.
 pub(crate) fn check(repo: &Repo, accept: bool) -> Result<Report> {
-    let fresh = Program::build(repo, Profile::Dev)?.stdout(&["schema"])?;
-    let stored = std::fs::read_to_string(repo.path(FILE)).ok();
-    if accept {
-        std::fs::write(repo.path(FILE), format!("{}\n", fresh.trim_end()))?;
-        return Ok(Report::of(format!("{FILE} written")));
+    let mut report = Report::default();
+    let mut lines = 0;
+    for (file, program) in [
+        (SHELF, Program::build(repo, Profile::Dev)?),
+        (EXAMPLES, Program::with_examples(repo, Profile::Dev)?),
+    ] {
+        let fresh = program.stdout(&["schema"])?;
+        lines += fresh.lines().count();
+        if accept {
+            std::fs::write(repo.path(file), format!("{}\n", fresh.trim_end()))?;
+        } else {
+            let stored = std::fs::read_to_string(repo.path(file)).ok();
+            report.faults.extend(stale(file, stored.as_deref(), &fresh));
+        }
     }
+    report.summary = match accept {
+        true => format!("{SHELF} and {EXAMPLES} written"),
+        false => format!("{lines} lines"),
+    };
+    Ok(report)
+}
 
-    Ok(match stored {
-        None => Report::fault(format!(
-            "{FILE}: missing; `cargo xtask schema --accept` writes it"
-        )),
-        Some(stored) => match first_difference(&stored, &fresh) {
-            None => Report::of(format!("{} lines", fresh.lines().count())),
-            Some((line, stored, fresh)) => Report::fault(format!(
-                "{FILE}:{line}: stale; stored `{stored}`, now `{fresh}`; \
-                 `cargo xtask schema --accept` writes it anew"
-            )),
-        },
-    })
+/// What is wrong with a stored schema.
+fn stale(file: &str, stored: Option<&str>, fresh: &str) -> Option<String> {
+    let Some(stored) = stored else {
+        return Some(format!(
+            "{file}: missing; `cargo xtask schema --accept` writes it"
+        ));
+    };
+    let (line, stored, fresh) = first_difference(stored, fresh)?;
+    Some(format!(
+        "{file}:{line}: stale; stored `{stored}`, now `{fresh}`; `cargo xtask schema --accept` writes it anew"
+    ))
 }
 
 /// The first line that differs, counted from 1, in both texts. How a line ends does not matter.

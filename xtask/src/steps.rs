@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::repo::Repo;
 use crate::report::Report;
-use crate::{arrows, gallery, golden, new_project, page, schema, tidy, tools};
+use crate::{arrows, figure, gallery, golden, new_project, page, schema, tidy, tools};
 
 /// One check that can be asked for by name.
 struct Step {
@@ -70,7 +70,7 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "schema",
-        holds: "scenarios/scenario.schema.json is what the program writes [--accept]",
+        holds: "scenarios/ and examples/scenario.schema.json are what the programs write [--accept]",
         order: Order::Then,
         run: |repo, options| schema::check(repo, options.accept),
     },
@@ -79,6 +79,12 @@ const STEPS: &[Step] = &[
         holds: "the book's gallery is drawn anew: its page and its pictures [NAME ...]",
         order: Order::Asked,
         run: |repo, options| gallery::draw(repo, &options.words),
+    },
+    Step {
+        name: "figure",
+        holds: "the paper's Figures 9 and 10 are made anew, each with all its runs [9] [10]",
+        order: Order::Asked,
+        run: |repo, options| figure::draw(repo, &options.words),
     },
     Step {
         name: "page",

@@ -2,10 +2,11 @@
 //!
 //! Faults: a to-do mark without a name; `ignore` on a test; a Rust file that does not open with `//!`;
 //! a path in Markdown that leads nowhere; an absolute path of somebody's machine; trailing white space;
-//! a file over 1 MiB. Noted only: Rust files over 600 lines, which may hold more than one idea.
+//! a file over 1 MiB; an example that is not whole. Noted only: Rust files over 600 lines, which may hold more than one idea.
 //!
 //! Files whose first line says `@generated` are held to none of the rules of style.
 
+mod examples;
 mod paths;
 
 use anyhow::Result;
@@ -68,6 +69,7 @@ fn judge(files: &[File]) -> Report {
             }
         }
     }
+    report.faults.extend(examples::faults(files));
     report
 }
 

@@ -30,8 +30,7 @@
 //!         }
 //!         // What is told by somebody who lies on the deck went through its contacts.
 //!         if self.dock.holds(message.sender) {
-//!             let word = format!("a word of {}", hive.path_of(message.sender));
-//!             hive.log(word);
+//!             hive.log(format!("a word of {}", hive.path_of(message.sender)));
 //!         }
 //!     }
 //! }

@@ -2,7 +2,7 @@
 
 use simbeeotic_model::config::{Fault, Sources};
 use simbeeotic_model::summary::MetricLine;
-use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary};
+use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary, Tally};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
 use simbeeotic_units::{Pose, Twist};
 use std::ops::Deref;
@@ -46,6 +46,14 @@ impl Run {
     /// model has. 0 if nobody has, as for a count that never began.
     pub fn total(&self, name: &str) -> f64 {
         self.metric(name).map_or(0.0, |line| line.sum)
+    }
+
+    /// What the model at `path` has published under this name. `None` if it has not.
+    pub fn metric_of(&self, path: &str, name: &str) -> Option<Tally> {
+        let model = self.simulation.population().find(path)?;
+        let all = self.simulation.metrics();
+        let line = all.iter().find(|m| m.model == model && m.name == name)?;
+        Some(line.values)
     }
 
     /// Everything else about the run.

@@ -4,8 +4,11 @@ use super::{Cx, Gear, Host, Platform};
 use crate::behavior::BuildError;
 use crate::energy::Condition;
 use crate::instance::Instance;
+use crate::kit::RadioHandle;
 use crate::vehicle::{AnyVehicle, Setpoint};
+use simbeeotic_kernel::ModelId;
 use simbeeotic_physics::BodySpec;
+use simbeeotic_radio::Ticket;
 use simbeeotic_units::{Angle, Enu, Flu, Position, Time, Velocity};
 use std::ops::{Deref, DerefMut};
 
@@ -135,6 +138,21 @@ impl Bee<'_> {
     /// Whether the vehicle carries its own weight.
     pub fn is_hovering(&self) -> bool {
         self.setpoint.hovering
+    }
+}
+
+super::says!(Bee, platform);
+
+/// The same as those of [`Platform`], see [`Bee::metric`] for why.
+impl Bee<'_> {
+    /// See [`Platform::send`].
+    pub fn send(&mut self, radio: RadioHandle, payload: &[u8]) -> Ticket {
+        self.platform.send(radio, payload)
+    }
+
+    /// See [`Platform::send_to`].
+    pub fn send_to(&mut self, radio: RadioHandle, receiver: ModelId, payload: &[u8]) -> Ticket {
+        self.platform.send_to(radio, receiver, payload)
     }
 }
 

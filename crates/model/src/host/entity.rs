@@ -281,6 +281,8 @@ impl<'a> Entity<'a> {
     }
 }
 
+super::says!(Entity, cx);
+
 impl<'a> Deref for Entity<'a> {
     type Target = Cx<'a>;
     fn deref(&self) -> &Cx<'a> {

@@ -13,6 +13,35 @@
 //! that have a body and gear but do not fly (a hive, a beacon), [`Bodiless`] for models without
 //! physical presence (a planner, a referee).
 
+/// What a layer says, lent to the layer above as methods of its own: so that arguments may ask the layer
+/// itself, `bee.metric("time", bee.now().as_secs(), "s")`. Through `DerefMut` they may not, since it
+/// borrows the whole layer before the arguments are known.
+macro_rules! says {
+    ($layer:ident, $below:ident) => {
+        impl $layer<'_> {
+            /// See [`Cx::metric`](crate::Cx::metric).
+            pub fn metric(&mut self, name: &'static str, value: f64, unit: &'static str) {
+                self.$below.metric(name, value, unit);
+            }
+
+            /// See [`Cx::log`](crate::Cx::log).
+            pub fn log(&mut self, text: impl std::fmt::Display) {
+                self.$below.log(text);
+            }
+
+            /// See [`Cx::tell`](crate::Cx::tell).
+            pub fn tell(
+                &mut self,
+                receiver: simbeeotic_kernel::ModelId,
+                payload: impl std::any::Any + Send + Sync,
+            ) {
+                self.$below.tell(receiver, payload);
+            }
+        }
+    };
+}
+use says;
+
 mod bee;
 mod bodiless;
 mod cx;

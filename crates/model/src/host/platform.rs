@@ -216,6 +216,8 @@ fn truth<'t>(entity: &'t Entity<'_>, watched: bool) -> Truth<'t> {
     }
 }
 
+super::says!(Platform, entity);
+
 impl<'a> Deref for Platform<'a> {
     type Target = Entity<'a>;
     fn deref(&self) -> &Entity<'a> {
