@@ -559,6 +559,9 @@ pub fn find(kind: Kind, name: &str) -> Option<&'static Part> {
     of_kind(kind).find(|p| p.label.name == name || p.label.java.contains(&name))
 }
 
+/// Where a part may be that is not on this shelf.
+const ELSEWHERE: &str = "Parts of another crate are on the shelf of that crate's own program: `cargo run -- run ...` there";
+
 /// The part called by the text node `name`; a fault with a guess if there is none.
 ///
 /// # Errors
@@ -584,10 +587,12 @@ pub fn find_node(kind: Kind, node: &Node) -> Result<&'static Part, Fault> {
             .filter(|p| p.label.name == name)
             .map(|p| p.kind.name())
             .collect();
-        if elsewhere.is_empty() {
-            fault
-        } else {
-            fault.help(format!("`{name}` is a {}", elsewhere.join(", ")))
+        if !elsewhere.is_empty() {
+            return fault.help(format!("`{name}` is a {}", elsewhere.join(", ")));
+        }
+        match fault.help.clone() {
+            Some(help) if help.starts_with("known:") => fault.help(format!("{help}. {ELSEWHERE}")),
+            _ => fault,
         }
     })
 }
