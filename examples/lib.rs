@@ -10,5 +10,6 @@ fn example(file: &str) -> simbeeotic::Experiment {
     simbeeotic::Experiment::file(format!("{}/{file}", env!("CARGO_MANIFEST_DIR")))
 }
 
+pub mod corridor;
 pub mod drop;
 pub mod wind;
