@@ -12,4 +12,5 @@ fn example(file: &str) -> simbeeotic::Experiment {
 
 pub mod corridor;
 pub mod drop;
+pub mod plume;
 pub mod wind;
