@@ -12,5 +12,6 @@ fn example(file: &str) -> simbeeotic::Experiment {
 
 pub mod corridor;
 pub mod drop;
+pub mod flocking;
 pub mod plume;
 pub mod wind;
