@@ -14,4 +14,5 @@ pub mod corridor;
 pub mod drop;
 pub mod flocking;
 pub mod plume;
+pub mod random_walk;
 pub mod wind;
