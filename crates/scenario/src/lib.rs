@@ -23,7 +23,7 @@
 //! ```
 //!
 //! Reading order: [`load`] (the whole way), [`mod@toml`] and [`xml`] (text to tree), [`set`] (changes
-//! from the command line), [`variables`] (placeholders), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
+//! from the command line), [`sweep`] (one scenario, many runs), [`variables`] (placeholders), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
 //! to text), [`schema`] (for editors), [`generate`] (worlds made
 //! by rule), [`limit`] (how large an input may be).
 
@@ -36,6 +36,7 @@ pub mod print;
 pub mod render;
 pub mod schema;
 pub mod set;
+pub mod sweep;
 pub mod toml;
 pub mod variables;
 mod world;
@@ -46,6 +47,7 @@ pub use load::{
     load_file, load_text,
 };
 pub use plan::Plan;
+pub use sweep::Sweep;
 
 // The tests read scenarios, and those name parts.
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::plan::{self, Context, Plan, folder_of, group};
 use crate::print::to_toml;
+use crate::sweep::{self, Fixed, Sweep};
 use crate::variables::Variables;
 use crate::xml::{self, Document};
 use simbeeotic_model::component::Component;
@@ -22,6 +23,19 @@ pub struct Request {
     pub sets: Vec<String>,
 }
 
+/// A scenario before a plan is made of it: what all runs of a sweep have in common.
+#[derive(Clone, Debug)]
+pub(crate) struct Base {
+    name: String,
+    /// The scenario without its sweep, placeholders in it.
+    pub(crate) tree: Node,
+    /// Variables that do not stand in the tree.
+    pub(crate) given: Variables,
+    folder: PathBuf,
+    world: Option<PathBuf>,
+    sources: Sources,
+}
+
 /// A scenario that can run.
 pub struct Loaded {
     name: String,
@@ -30,6 +44,8 @@ pub struct Loaded {
     faults: Vec<Fault>,
     sources: Sources,
     variables: Variables,
+    /// What varies, and the scenario with it.
+    sweep: Option<(Sweep, Node)>,
 }
 
 /// A scenario that cannot run, and why.
@@ -148,23 +164,24 @@ pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Reje
     };
     let mut loaded = load_file(path, &request)?;
     let world = world.map(|path| path.with_extension("toml"));
-    if let Some(name) = world.as_deref().and_then(Path::file_name)
-        && let Some(table) = loaded.tree.as_table_mut()
-    {
-        table.set(
-            "world",
-            Node::string(Span::default(), name.to_string_lossy()),
-        );
+    if let Some(name) = world.as_deref().and_then(Path::file_name) {
+        let node = Node::string(Span::default(), name.to_string_lossy());
+        let whole = loaded.sweep.as_mut().map(|(_, whole)| whole);
+        if let Some(table) = whole.unwrap_or(&mut loaded.tree).as_table_mut() {
+            table.set("world", node);
+        }
     }
     let Loaded {
         tree,
         faults,
         sources,
         variables,
+        sweep,
         ..
     } = loaded;
+    let whole = sweep.map_or(tree, |(_, whole)| whole);
     Ok(Converted {
-        toml: to_toml(&tree),
+        toml: to_toml(&whole),
         faults,
         sources,
         variables,
@@ -231,6 +248,9 @@ impl Reading {
                 return Err(self.reject());
             }
         };
+        let fixed = Fixed {
+            from: SourceId(self.sources.iter().count() as u32),
+        };
         for argument in &request.sets {
             if let Err(faults) = crate::set::apply(&mut tree, argument, &mut self.sources) {
                 self.faults.extend(faults);
@@ -242,35 +262,38 @@ impl Reading {
             self.faults.push(world_where_scenario(span));
             return Err(self.reject());
         }
-        if !xml::looks_like_xml(text) {
-            variables = Variables::of(&tree, &mut self.faults);
-            variables.apply(&mut tree, &mut self.faults);
-        }
-        let mut cx = Context {
-            faults: std::mem::take(&mut self.faults),
-            sources: &mut self.sources,
+        let whole = tree.clone();
+        let draft = sweep::read(&mut tree, fixed, &mut self.faults);
+        let base = Base {
+            name: self.sources.get(source).map_or("", |s| &s.name).to_owned(),
+            tree,
+            given: variables,
             folder,
             world: request.world.clone(),
-            areas: None,
-            variables: variables.clone(),
+            sources: self.sources,
         };
-        let plan = plan::plan(&tree, &mut cx);
-        self.faults = cx.faults;
-        self.faults.sort_by_key(|f| f.span);
-        match plan {
-            Some(plan) if !self.faults.iter().any(Fault::is_error) => {
-                let name = self.sources.get(source).map_or("", |s| &s.name).to_owned();
-                let Self { faults, sources } = self;
-                Ok(Loaded {
-                    name,
-                    plan,
-                    tree,
-                    faults,
-                    sources,
-                    variables,
-                })
+        let Some(draft) = draft else {
+            return base.plan(base.tree.clone(), self.faults);
+        };
+        let sweep = match sweep::expand(draft, base.clone(), &mut self.faults) {
+            Ok(sweep) => sweep,
+            Err(tree) => return base.plan(tree, self.faults),
+        };
+        let tree = sweep.tree(0, &mut self.faults);
+        match base.plan(tree, self.faults) {
+            Ok(mut loaded) => {
+                loaded.sweep = Some((sweep, whole));
+                Ok(loaded)
             }
-            _ => Err(self.reject()),
+            Err(mut rejected) => {
+                // The other values may be wrong, too.
+                let others = sweep.check_but(&rejected.faults).err();
+                rejected
+                    .faults
+                    .extend(others.into_iter().flat_map(|r| r.faults));
+                rejected.faults.sort_by_key(|fault| fault.span);
+                Err(rejected)
+            }
         }
     }
 
@@ -323,10 +346,51 @@ impl Reading {
     }
 }
 
+impl Base {
+    /// Makes a plan of a tree without a sweep; `faults` were found before.
+    pub(crate) fn plan(&self, mut tree: Node, faults: Vec<Fault>) -> Result<Loaded, Rejected> {
+        let mut reading = Reading {
+            sources: self.sources.clone(),
+            faults,
+        };
+        let mut variables = self.given.clone();
+        variables.extend(Variables::of(&tree, &mut reading.faults));
+        variables.apply(&mut tree, &mut reading.faults);
+        let mut cx = Context {
+            faults: std::mem::take(&mut reading.faults),
+            sources: &mut reading.sources,
+            folder: self.folder.clone(),
+            world: self.world.clone(),
+            areas: None,
+            variables: variables.clone(),
+        };
+        let plan = plan::plan(&tree, &mut cx);
+        reading.faults = cx.faults;
+        reading.faults.sort_by_key(|f| f.span);
+        match plan {
+            Some(plan) if !reading.faults.iter().any(Fault::is_error) => Ok(Loaded {
+                name: self.name.clone(),
+                plan,
+                tree,
+                faults: reading.faults,
+                sources: reading.sources,
+                variables,
+                sweep: None,
+            }),
+            _ => Err(reading.reject()),
+        }
+    }
+}
+
 impl Loaded {
     /// What the scenario is called: its file.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What varies, if something does. The rest is what is told of the first run.
+    pub fn sweep(&self) -> Option<&Sweep> {
+        self.sweep.as_ref().map(|(sweep, _)| sweep)
     }
 
     /// The scenario, checked.
@@ -342,6 +406,15 @@ impl Loaded {
     /// The scenario as TOML, as it stands after all changes.
     pub fn toml(&self) -> String {
         to_toml(&self.tree)
+    }
+
+    /// The same with what varies, and with placeholders; of a scenario without a sweep as
+    /// [`toml`](Self::toml).
+    pub fn toml_with_sweep(&self) -> String {
+        match &self.sweep {
+            Some((_, whole)) => to_toml(whole),
+            None => self.toml(),
+        }
     }
 
     /// Warnings and notes.

@@ -14,7 +14,7 @@ const LINE_MAX: usize = 88;
 /// An inline table has no more entries than this, outside of lists.
 const INLINE_MAX: usize = 4;
 /// Tables that stand as sections however small they are.
-const SECTIONS: [&str; 19] = [
+const SECTIONS: [&str; 21] = [
     "run",
     "channel",
     "weather",
@@ -29,6 +29,8 @@ const SECTIONS: [&str; 19] = [
     "radio",
     "battery",
     "sweep",
+    "vary",
+    "variables",
     "ground",
     "obstacle",
     "structure",

@@ -39,7 +39,7 @@ pub fn schema() -> Value {
         "record": record(&mut all),
         "model": { "type": "array", "description": "The models.", "items": { "$ref": "#/$defs/model" } },
         "component": component(&mut all),
-        "sweep": { "type": "object", "description": "Variations; not run yet." },
+        "sweep": sweep(),
     });
     let model = model(&mut all);
     let start = start(&mut all);
@@ -175,6 +175,52 @@ fn table(properties: Map<String, Value>, words: &str) -> Value {
     json!({
         "type": "object", "description": words, "properties": properties, "additionalProperties": false,
     })
+}
+
+fn sweep() -> Value {
+    let number = json!({ "type": ["number", "string"] });
+    let count = json!({ "type": "integer", "minimum": 1, "description": "How many draws." });
+    let seed = json!({ "type": "integer", "description": "The seed of the draws, 1 unless said." });
+    let range = json!({
+        "type": "object", "required": ["from", "to"], "additionalProperties": false,
+        "properties": { "from": number, "to": number, "step": number },
+    });
+    let uniform = json!({
+        "type": "object", "required": ["uniform"], "additionalProperties": false,
+        "properties": {
+            "uniform": { "type": "array", "items": number, "minItems": 2, "maxItems": 2 },
+            "draws": count, "seed": seed,
+        },
+    });
+    let normal = json!({
+        "type": "object", "required": ["normal"], "additionalProperties": false,
+        "properties": {
+            "normal": {
+                "type": "object", "required": ["mean", "sigma"], "additionalProperties": false,
+                "properties": { "mean": number, "sigma": number },
+            },
+            "draws": count, "seed": seed,
+        },
+    });
+    let seeds = json!({
+        "description": "So many seeds from run.seed on, or the seeds themselves.",
+        "anyOf": [
+            { "type": "integer", "minimum": 1 },
+            { "type": "array", "items": { "type": "integer" }, "minItems": 1 },
+            range, uniform,
+        ],
+    });
+    let vary = json!({
+        "type": "object",
+        "description": "Keys are paths, as for --set; one run for each combination of their values.",
+        "additionalProperties": {
+            "anyOf": [{ "type": "array", "minItems": 1 }, range, uniform, normal, { "type": "object" }],
+        },
+    });
+    table(
+        entries([("seeds", seeds), ("vary", vary)]),
+        "One scenario, many runs: `simbeeotic sweep` runs them all.",
+    )
 }
 
 fn run(all: &mut Definitions) -> Value {

@@ -9,30 +9,127 @@
 //! ```
 //! Each argument is a text of its own, so that a fault in it shows the argument, whether it is
 //! found here or when the part reads its parameters.
+//!
+//! What varies is said in the same way:
+//! ```text
+//! --vary model.bee.count=10,20,50                 [sweep.vary] "model.bee.count" = [10, 20, 50]
+//! --vary "channel.range_limit=10 m..50 m step 10 m"
+//! --seeds 10    --seeds 1..20    --seeds 3,5,8    [sweep] seeds
+//! ```
 
-use simbeeotic_model::config::{Fault, Key, Node, SourceId, Sources, Span, Value};
+use crate::sweep;
+use simbeeotic_model::config::{Fault, Key, Node, SourceId, Sources, Span, Table, Value};
 
 /// What errors call the place that arguments come from.
 const NAME: &str = "command line";
-/// What stands before the argument in the text that errors show.
+/// What stands before an argument in the text that errors show.
 const FLAG: &str = "--set ";
+/// The same, of one that says what varies.
+pub const VARY: &str = "--vary ";
+/// The same, of one that says the seeds.
+pub const SEEDS: &str = "--seeds ";
 
-/// Changes the tree of a scenario as one argument, `path=value`, says.
+/// Changes the tree of a scenario as one argument, `path=value`, says. One that begins with [`VARY`] or
+/// [`SEEDS`] changes what the scenario sweeps over.
 ///
 /// # Errors
 /// The argument is not of this form, or its path leads nowhere.
 pub fn apply(root: &mut Node, argument: &str, sources: &mut Sources) -> Result<(), Vec<Fault>> {
-    let source = sources.add(NAME, format!("{FLAG}{argument}"));
-    let whole = Span::new(source, FLAG.len(), FLAG.len() + argument.len());
+    if let Some(text) = argument.strip_prefix(SEEDS) {
+        let source = sources.add(NAME, argument);
+        let value = several(text, source, SEEDS.len())?;
+        let value = match &value.value {
+            // A number alone says how many.
+            Value::Array(items) if items.len() == 1 => items[0].clone(),
+            _ => value,
+        };
+        return sweep_table(root, value.span, None)
+            .map(|table| table.set(sweep::SEEDS, value))
+            .map_err(|fault| vec![fault]);
+    }
+    let (flag, argument, example) = match argument.strip_prefix(VARY) {
+        Some(rest) => (VARY, rest, "--vary \"model.bee.count=10,20,50\""),
+        None => (FLAG, argument, "--set run.end_time=\"5 s\""),
+    };
+    let source = sources.add(NAME, format!("{flag}{argument}"));
+    let whole = Span::new(source, flag.len(), flag.len() + argument.len());
     let Some(equals) = equals_sign(argument) else {
         let fault = Fault::error(whole, "there is no `=` between a path and a value");
-        return Err(vec![fault.help("for example: --set run.end_time=\"5 s\"")]);
+        return Err(vec![fault.help(format!("for example: {example}"))]);
     };
     let (path, text) = (&argument[..equals], &argument[equals + 1..]);
-    let keys = split(path, source)?;
-    let value_start = FLAG.len() + equals + 1;
+    let keys = split(path, flag.len(), source)?;
+    let value_start = flag.len() + equals + 1;
+    if flag == VARY {
+        let value = several(text, source, value_start)?;
+        let key = Key {
+            text: path.trim().to_owned(),
+            span: Span::new(source, flag.len(), flag.len() + path.len()),
+        };
+        let vary = sweep_table(root, value.span, Some(sweep::VARY));
+        return vary
+            .map(|table| table.insert(key, value))
+            .map_err(|fault| vec![fault]);
+    }
     let value = value(text, source, value_start)?;
     place(root, &keys, value).map_err(|fault| vec![fault])
+}
+
+/// The table `[sweep]`, or one in it, made if it is not there.
+fn sweep_table<'n>(
+    root: &'n mut Node,
+    span: Span,
+    inner: Option<&str>,
+) -> Result<&'n mut Table, Fault> {
+    let mut node = root;
+    for word in [Some(sweep::KEY), inner].into_iter().flatten() {
+        let there = node.span;
+        let table = node.as_table_mut();
+        let table = table.ok_or_else(|| Fault::error(there, "a table is wanted here"))?;
+        if table.get(word).is_none() {
+            table.set(word, Node::table(span));
+        }
+        node = match table.get_mut(word) {
+            Some(node) => node,
+            None => return Err(Fault::error(span, "a table is wanted here")),
+        };
+    }
+    let there = node.span;
+    let table = node.as_table_mut();
+    table.ok_or_else(|| Fault::error(there, "a table is wanted here"))
+}
+
+/// Several values: a list or a table as in TOML; values with commas between them; or a range,
+/// `10 m..50 m step 10 m`.
+fn several(text: &str, source: SourceId, start: usize) -> Result<Node, Vec<Fault>> {
+    let whole = Span::new(source, start, start + text.len());
+    if text.trim_start().starts_with(['[', '{']) {
+        return value(text, source, start);
+    }
+    if let Some((from, rest)) = text.split_once("..")
+        && sweep::split_quantity(from).is_some()
+    {
+        let (to, step) = match rest.split_once("step") {
+            Some((to, step)) => (to, Some(step)),
+            None => (rest, None),
+        };
+        let mut table = Table::default();
+        table.set("from", value(from, source, start)?);
+        let to_start = start + from.len() + 2;
+        table.set("to", value(to, source, to_start)?);
+        if let Some(step) = step {
+            let step_start = to_start + to.len() + "step".len();
+            table.set("step", value(step, source, step_start)?);
+        }
+        return Ok(Node::new(whole, Value::Table(table)));
+    }
+    let mut from = start;
+    let mut items = Vec::new();
+    for part in text.split(',') {
+        items.push(value(part, source, from)?);
+        from += part.len() + 1;
+    }
+    Ok(Node::new(whole, Value::Array(items)))
 }
 
 /// The first `=` that is not inside of quotes.
@@ -50,7 +147,8 @@ fn equals_sign(argument: &str) -> Option<usize> {
 }
 
 /// The keys of a path: words with dots between them, in quotes if they have dots themselves.
-fn split(path: &str, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
+/// The text that faults show has them from byte `start` on.
+pub(crate) fn split(path: &str, start: usize, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
     let mut keys = Vec::new();
     let mut from = 0;
     let mut quote = None;
@@ -60,7 +158,7 @@ fn split(path: &str, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
             ('"' | '\'', None) => quote = Some(letter),
             (letter, Some(open)) if letter == open => quote = None,
             ('.', None) => {
-                keys.push(key(&path[from..at], from, source)?);
+                keys.push(key(&path[from..at], start + from, source)?);
                 from = at + 1;
             }
             _ => {}
@@ -69,7 +167,7 @@ fn split(path: &str, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
     match quote {
         None => Ok(keys),
         Some(_) => {
-            let span = Span::new(source, FLAG.len(), FLAG.len() + path.len());
+            let span = Span::new(source, start, start + path.len());
             Err(vec![Fault::error(
                 span,
                 "a quote in this path is never closed",
@@ -79,7 +177,7 @@ fn split(path: &str, source: SourceId) -> Result<Vec<Key>, Vec<Fault>> {
 }
 
 fn key(word: &str, from: usize, source: SourceId) -> Result<Key, Vec<Fault>> {
-    let span = Span::new(source, FLAG.len() + from, FLAG.len() + from + word.len());
+    let span = Span::new(source, from, from + word.len());
     let bare = word.trim();
     let inner = ['"', '\'']
         .iter()
@@ -134,7 +232,7 @@ fn shift(node: &mut Node, by: usize) {
 }
 
 /// Puts the value at the path, making tables that are not there.
-fn place(node: &mut Node, keys: &[Key], value: Node) -> Result<(), Fault> {
+pub(crate) fn place(node: &mut Node, keys: &[Key], value: Node) -> Result<(), Fault> {
     let Some((key, rest)) = keys.split_first() else {
         *node = value;
         return Ok(());
@@ -165,6 +263,18 @@ fn place(node: &mut Node, keys: &[Key], value: Node) -> Result<(), Fault> {
             );
             Err(Fault::error(key.span, message))
         }
+    }
+}
+
+/// What stands at a path, if something does.
+pub(crate) fn find<'n>(node: &'n Node, keys: &[Key]) -> Option<&'n Node> {
+    let Some((key, rest)) = keys.split_first() else {
+        return Some(node);
+    };
+    match &node.value {
+        Value::Table(table) => find(table.get(&key.text)?, rest),
+        Value::Array(items) => find(&items[element(items, key).ok()?], rest),
+        _ => None,
     }
 }
 
@@ -259,6 +369,46 @@ mod tests {
         ] {
             let text = set(argument).unwrap_or_else(|e| panic!("{argument}: {e}"));
             assert!(text.contains(line), "{argument}:\n{text}");
+        }
+    }
+
+    #[test]
+    fn what_varies_is_said_as_a_list_or_a_range() {
+        for (argument, line) in [
+            ("--seeds 10", "seeds = 10"),
+            ("--seeds 3,5", "seeds = [3, 5]"),
+            ("--seeds 1..20", "seeds = { from = 1, to = 20 }"),
+            (
+                "--vary model.bee.count=10,20",
+                "\"model.bee.count\" = [10, 20]",
+            ),
+            (
+                "--vary run.end_time=10 s, 20 s",
+                "\"run.end_time\" = [\"10 s\", \"20 s\"]",
+            ),
+            (
+                "--vary x=10 m..50 m step 10 m",
+                "x = { from = \"10 m\", to = \"50 m\", step = \"10 m\" }",
+            ),
+            ("--vary x=[[1, 2], [3, 4]]", "x = [[1, 2], [3, 4]]"),
+            ("--vary x={ uniform = [1, 2] }", "x = { uniform = [1, 2] }"),
+            (
+                "--vary world=../a.toml,../b.toml",
+                "world = [\"../a.toml\", \"../b.toml\"]",
+            ),
+        ] {
+            let text = set(argument).unwrap_or_else(|e| panic!("{argument}: {e}"));
+            assert!(text.contains(line), "{argument}:\n{text}");
+        }
+        for argument in [
+            "--vary x",
+            "--vary x=",
+            "--vary x=1,,2",
+            "--seeds ",
+            "--vary x=1..",
+            "--vary =1",
+        ] {
+            assert!(set(argument).is_err(), "{argument}");
         }
     }
 

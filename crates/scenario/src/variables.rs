@@ -7,8 +7,8 @@
 //! ```
 //! `"${wall}"` as a whole text becomes the variable's value, number or text; inside of a text,
 //! `"${trees} m"`, it becomes a piece of it. `"${wall}:2 m"` has a default for scenarios that do not
-//! set it. `--set variables.wall="4 m"` changes one. An XML scenario's variables (`looping`) are the
-//! variables of its world, with the values of the first variation.
+//! set it. `--set variables.wall="4 m"` changes one, `[sweep.vary]` gives one several values. A variable
+//! may be made of others. An XML scenario's variables (`looping`) are the variables of its world, too.
 
 use simbeeotic_model::config::{Fault, Node, SourceId, Span, Value};
 use std::collections::BTreeMap;
@@ -34,6 +34,7 @@ impl Variables {
             faults.push(Fault::error(node.span, message));
             return variables;
         };
+        let mut made: Vec<(&str, &Node)> = Vec::new();
         for (key, node) in &table.entries {
             if !is_name(&key.text) {
                 let message = format!("`{}` is no name for a variable", key.text);
@@ -44,12 +45,44 @@ impl Variables {
                     let message = format!("{} where one value is wanted", node.value.kind());
                     faults.push(Fault::error(node.span, message));
                 }
+                Value::String(text) if text.contains("${") => made.push((&key.text, node)),
                 value => {
                     variables.known.insert(key.text.clone(), value.clone());
                 }
             }
         }
+        variables.make(made, faults);
         variables
+    }
+
+    /// Adds variables whose values name others, each after those that it names.
+    fn make(&mut self, mut made: Vec<(&str, &Node)>, faults: &mut Vec<Fault>) {
+        let text = |node: &Node| node.as_str().unwrap_or_default().to_owned();
+        while !made.is_empty() {
+            let waits = |node: &Node| {
+                named(&text(node)).any(|name| made.iter().any(|(other, _)| *other == name))
+            };
+            let (waiting, ready): (Vec<_>, Vec<_>) =
+                made.iter().copied().partition(|(_, node)| waits(node));
+            if ready.is_empty() {
+                for (name, node) in waiting {
+                    let message = format!("variable `{name}` depends on itself");
+                    faults.push(Fault::error(node.span, message));
+                }
+                return;
+            }
+            for (name, node) in ready {
+                if let Some(value) = self.value(&text(node), node.span, faults) {
+                    self.known.insert(name.to_owned(), value);
+                }
+            }
+            made = waiting;
+        }
+    }
+
+    /// Takes over the variables of another, which count more.
+    pub(crate) fn extend(&mut self, other: Self) {
+        self.known.extend(other.known);
     }
 
     /// Sets a variable to what an XML file says: text that may be a number.
@@ -137,7 +170,7 @@ impl Variables {
 pub(crate) const NAME_HELP: &str = "letters and digits, joined by `-`, `_` or `.`";
 
 /// A number or a truth value if the text is one.
-fn typed(text: &str) -> Value {
+pub(crate) fn typed(text: &str) -> Value {
     let value = crate::toml::parse_value(text, SourceId(0)).map(|node| node.value);
     match value {
         Ok(value @ (Value::Integer(_) | Value::Float(_) | Value::Bool(_))) => value,
@@ -166,6 +199,13 @@ pub(crate) fn placeholder(text: &str) -> Option<(&str, Option<&str>)> {
         "" => Some((name, None)),
         _ => rest.strip_prefix(':').map(|default| (name, Some(default))),
     }
+}
+
+/// The names of all placeholders in a text.
+pub(crate) fn named(text: &str) -> impl Iterator<Item = &str> {
+    let behind = text.split("${").skip(1);
+    let names = behind.filter_map(|part| part.split_once('}').map(|(name, _)| name));
+    names.filter(|name| is_name(name))
 }
 
 /// Letter first, then letters and digits in sections joined by `-`, `_` or `.`.
@@ -202,6 +242,21 @@ mod tests {
         let line = "a = [\"3 m\", 40, \"3 m\", \"1 m\", 7, \"40 m\", \"x40-3 m\"]";
         let text = text.expect("good");
         assert!(text.lines().any(|l| l == line), "{text}");
+    }
+
+    #[test]
+    fn a_variable_may_be_made_of_others_but_not_of_itself() {
+        let text = applied(
+            "x = \"${c}\"\ny = \"${b}\"\n[variables]\nc = \"${b}-${a}\"\nb = \"${a}\"\na = 4\nd = \"${e}:7\"\n",
+        );
+        let text = text.expect("good");
+        assert!(text.contains("x = \"4-4\"\ny = 4\n"), "{text}");
+        let faults = applied("[variables]\na = \"${b}\"\nb = \"${a} m\"\nc = 1\n");
+        let faults = faults.expect_err("a circle");
+        assert_eq!(faults.len(), 2, "{faults:?}");
+        assert!(faults[0].message.contains("`a` depends on itself"));
+        let faults = applied("[variables]\nwall = 1\nb = \"${wal}\"\n").expect_err("unknown");
+        assert_eq!(faults[0].help.as_deref(), Some("did you mean `wall`?"));
     }
 
     #[test]

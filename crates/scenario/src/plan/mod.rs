@@ -10,6 +10,7 @@
 //! [record]     the recorder's parameters
 //! [[model]]    use, name, count, start, params, vehicle, sensor, radio, model (nested)
 //! [[component]] use, its own parameters
+//! [sweep]      what varies; it is taken out, and one combination put in, before a plan is made
 //! ```
 //!
 //! The makers of all parts are asked at once, so that wrong parameters of the tenth model are told
@@ -123,11 +124,10 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
     let models = section
         .entry("model")
         .map(|(_, node)| group::groups(node, cx));
-    for word in ["sweep", "looping"] {
-        if let Some((key, _)) = section.entry(word) {
-            let message = "variations are not run yet: the scenario runs once, as it stands";
-            cx.faults.push(Fault::warning(key.span, message));
-        }
+    if let Some((key, _)) = section.entry("looping") {
+        let fault = Fault::error(key.span, "`looping` is of XML scenarios");
+        cx.faults
+            .push(fault.help("what varies stands in `[sweep]` here"));
     }
     // Its values stand in the tree already.
     section.get(crate::variables::KEY);

@@ -102,6 +102,8 @@ impl Translation {
         let mut seen: Vec<&str> = Vec::new();
         for prop in properties.children("prop") {
             self.check(prop, &["name", "value"], &[], &[]);
+            let written = prop.attribute("value").map_or("", |text| &text.text);
+            let varying = self.variables.varying(written).map(str::to_owned);
             let (name, value) = (prop.attribute("name"), self.required(prop, "value"));
             let Some(name) = name else {
                 self.required(prop, "name");
@@ -114,10 +116,12 @@ impl Translation {
                 continue;
             }
             seen.push(&name.text);
+            self.varying = varying;
             match found.class {
                 Some(class) => self.property(class, name, &value, &mut settings),
                 None => self.foreign_property(found.part, name, &value, &mut settings),
             }
+            self.varying = None;
         }
         settings
     }
@@ -140,13 +144,16 @@ impl Translation {
             }
             To::Component(key, at, unit) => {
                 if let Some(node) = self.quantity(value, unit) {
+                    let node = self.varied(node, unit);
                     put_component(&mut settings.params, key, *at, unit, name.span, node);
                 }
             }
             To::RandomStart => {
+                self.cannot_vary(name);
                 settings.random_start = self.flag(value).map(|flag| (flag, name.span));
             }
             To::RandomStartBound => {
+                self.cannot_vary(name);
                 let bound = self.number(value);
                 if bound.is_some_and(|b| b < 0.0) {
                     self.error(value.span, "a bound is not negative");
@@ -164,13 +171,32 @@ impl Translation {
 
     fn value(&mut self, text: &Text, how: &As) -> Option<Node> {
         let value = match how {
-            As::Unit(unit) => return self.quantity(text, unit),
+            As::Unit(unit) => {
+                let node = self.quantity(text, unit)?;
+                return Some(self.varied(node, unit));
+            }
             As::Whole => Value::Integer(self.whole(text)?),
             As::Number => Value::Float(self.number(text)?),
             As::Flag => Value::Bool(self.flag(text)?),
             As::Text => Value::String(text.text.clone()),
         };
-        Some(Node::new(text.span, value))
+        Some(self.varied(Node::new(text.span, value), ""))
+    }
+
+    /// The value, or the placeholder of the variable that varies it.
+    fn varied(&self, node: Node, unit: &str) -> Node {
+        match (&self.varying, unit) {
+            (None, _) => node,
+            (Some(name), "") => Node::string(node.span, format!("${{{name}}}")),
+            (Some(name), unit) => Node::string(node.span, format!("${{{name}}} {unit}")),
+        }
+    }
+
+    fn cannot_vary(&mut self, name: &Text) {
+        if self.varying.is_some() {
+            let message = format!("`{}` does not vary here: its first value counts", name.text);
+            self.warn(name.span, message);
+        }
     }
 
     /// A property of a class that only its own crate knows: its name in snake case, its value as the
@@ -197,7 +223,10 @@ impl Translation {
         let unit = find_key(schema.as_value(), property, "x-si-unit");
         let kind = find_key(schema.as_value(), property, "type");
         let value_node = match (unit.as_deref(), kind.as_deref()) {
-            (Some(unit), _) if number(&value.text).is_some() => self.quantity(value, unit),
+            (Some(unit), _) if number(&value.text).is_some() => {
+                let node = self.quantity(value, unit);
+                node.map(|node| self.varied(node, unit))
+            }
             (None, Some("boolean")) => self.value(value, &As::Flag),
             (None, Some("integer")) => self.value(value, &As::Whole),
             (None, Some("number")) => self.value(value, &As::Number),

@@ -9,6 +9,8 @@ use std::collections::BTreeSet;
 pub(crate) struct Translation {
     pub(crate) faults: Vec<Fault>,
     pub(crate) variables: Variables,
+    /// The variable that varies the property that is being read.
+    pub(crate) varying: Option<String>,
     said: BTreeSet<&'static str>,
 }
 
@@ -17,6 +19,7 @@ impl Translation {
         Self {
             faults: Vec::new(),
             variables,
+            varying: None,
             said: BTreeSet::new(),
         }
     }

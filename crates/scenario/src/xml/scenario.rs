@@ -15,7 +15,8 @@ use super::part::{Found, Settings};
 use super::read::{Translation, put, widen};
 use super::tree::{Element, Text};
 use super::variables::Variables;
-use crate::variables::Variables as Given;
+use crate::sweep::KEY as SWEEP;
+use crate::variables::{KEY as VARIABLES, Variables as Given};
 use simbeeotic_model::config::{Fault, Key, Node, Span, Table, Value};
 use simbeeotic_model::registry::Kind;
 
@@ -104,6 +105,14 @@ impl Scenario {
             }
         }
         self.looping(root);
+        let (variables, sweep) = self.t.variables.sweep();
+        for (word, part) in [(VARIABLES, variables), (SWEEP, sweep)] {
+            if let Some(part) = part {
+                let place = root.child("looping").or_else(|| root.child("master-seed"));
+                let span = place.unwrap_or(root).name.span;
+                put(&mut table, word, span, whole_table(part, span));
+            }
+        }
         Node::new(root.span, Value::Table(table))
     }
 
@@ -143,14 +152,19 @@ impl Scenario {
             return None;
         };
         let mut faults = std::mem::take(&mut self.t.faults);
-        let value = self.t.variables.first_value(definition, 0, &mut faults);
+        let values = self.t.variables.values(definition, 0, &mut faults);
         self.t.faults = faults;
-        let text = Text {
-            text: value?,
-            span: definition.name.span,
-        };
-        let seed = self.t.number(&text)?.floor();
-        Some(Node::new(text.span, Value::Integer(seed as i64)))
+        let mut seeds = Vec::new();
+        for text in values? {
+            let span = definition.name.span;
+            let seed = self.t.number(&Text { text, span })?.floor();
+            seeds.push(Node::new(span, Value::Integer(seed as i64)));
+        }
+        let first = seeds.first().cloned();
+        if seeds.len() > 1 {
+            self.t.variables.seeds = seeds;
+        }
+        first
     }
 
     fn run(&mut self, root: &Element, seed: Option<Node>) -> Node {
@@ -472,13 +486,6 @@ impl Scenario {
             if let Some(variables) = looping.child("variables") {
                 self.t.check(variables, &[], &[], &["variable"]);
             }
-        }
-        let variations = self.t.variables.variations;
-        if variations > 1.0 {
-            let place = root.child("looping").or_else(|| root.child("master-seed"));
-            let span = place.unwrap_or(root).name.span;
-            let message = format!("of the {variations} variations only the first one runs");
-            self.t.warn(span, message);
         }
     }
 }

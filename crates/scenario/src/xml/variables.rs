@@ -1,20 +1,22 @@
-//! Variables of a scenario: what a placeholder `${name}` stands for in the first variation.
+//! Variables of a scenario: what a placeholder `${name}` stands for.
 //!
 //! A variable has one or more values; the original ran the scenario once for each combination of
-//! all variables' values, for each value of the master seed. Here the first combination counts,
-//! and the number of the others is told.
+//! all variables' values, for each value of the master seed. One with a single value is put in its
+//! places at once. One with several, and what hangs on it, becomes a variable of the tree that
+//! `[sweep]` varies ([`Variables::sweep`]); meanwhile it has the value of the first variation.
 
 use super::java::JavaRandom;
 use super::read::{number, whole};
 use super::tree::{Element, Text};
-use crate::variables::{NAME_HELP, Variables as Given, is_name, placeholder};
-use simbeeotic_model::config::{Fault, Span};
+use crate::sweep::RUNS_MAX;
+use crate::variables::{
+    KEY as VARIABLES, NAME_HELP, Variables as Given, is_name, placeholder, typed,
+};
+use simbeeotic_model::config::{Fault, Key, Node, Span, Table, Value};
 
-/// Values of one `for` that are counted at most.
-const VALUES_MAX: f64 = 1e9;
 /// Draws that a random variable skips at most.
 const DRAWS_MAX: i64 = 1_000_000;
-/// Redraws of a normal variable within bounds.
+/// Redraws of one value of a normal variable within bounds.
 const REDRAWS_MAX: usize = 100_000;
 
 /// All variables, in the order of the file.
@@ -24,7 +26,17 @@ pub(crate) struct Variables {
     /// Variables that another document, the scenario, has given; `Some` for a world.
     given: Option<Given>,
     master_seed: i64,
-    pub(crate) variations: f64,
+    /// The values of the master seed, if it has several.
+    pub(crate) seeds: Vec<Node>,
+}
+
+/// What varies, as a part of a tree.
+#[derive(Clone, Debug, PartialEq)]
+enum Several {
+    /// What stands behind its key in `[sweep.vary]`.
+    Values(Node),
+    /// A text with the placeholder of another.
+    Made(Node),
 }
 
 #[derive(Debug)]
@@ -32,6 +44,8 @@ struct Variable {
     name: Text,
     definition: Element,
     state: State,
+    /// What it becomes if it has several values, or hangs on one that has.
+    several: Option<Several>,
     /// How many variables before it take their seed from the master's stream.
     streams_before: usize,
 }
@@ -71,10 +85,7 @@ impl Variables {
 
     /// Collects the variables of a scenario and finds the first value of each.
     pub(crate) fn of(scenario: &Element, faults: &mut Vec<Fault>) -> Self {
-        let mut variables = Self {
-            variations: 1.0,
-            ..Self::default()
-        };
+        let mut variables = Self::default();
         let definitions = scenario
             .child("looping")
             .and_then(|l| l.child("variables"))
@@ -106,6 +117,7 @@ impl Variables {
                 name: name.clone(),
                 definition: definition.clone(),
                 state: State::New,
+                several: None,
                 streams_before,
             });
         }
@@ -118,6 +130,49 @@ impl Variables {
         for at in 0..self.all.len() {
             self.value_of(at, self.all[at].name.span, faults);
         }
+    }
+
+    /// The name of the variable that a text stands for, if it has several values.
+    pub(crate) fn varying(&self, text: &str) -> Option<&str> {
+        let (name, _) = placeholder(text)?;
+        let variable = self.all.iter().find(|v| v.name.text == name)?;
+        variable
+            .several
+            .as_ref()
+            .map(|_| variable.name.text.as_str())
+    }
+
+    /// The tables `[variables]` and `[sweep]` of what varies, if something does.
+    pub(crate) fn sweep(&self) -> (Option<Table>, Option<Table>) {
+        let mut first = Table::default();
+        let mut vary = Table::default();
+        for variable in &self.all {
+            let Some(several) = &variable.several else {
+                continue;
+            };
+            let (name, span) = (&variable.name.text, variable.name.span);
+            let key = |text: String| Key { text, span };
+            match (several, &variable.state) {
+                (Several::Values(values), State::Known(value)) => {
+                    first.insert(key(name.clone()), Node::new(span, typed(value)));
+                    vary.insert(key(format!("{VARIABLES}.{name}")), values.clone());
+                }
+                (Several::Made(text), _) => first.insert(key(name.clone()), text.clone()),
+                _ => {}
+            }
+        }
+        let mut sweep = Table::default();
+        if let Some(seed) = self.seeds.first() {
+            sweep.set(
+                "seeds",
+                Node::new(seed.span, Value::Array(self.seeds.clone())),
+            );
+        }
+        if let Some((key, _)) = vary.entries.first() {
+            sweep.set("vary", Node::new(key.span, Value::Table(vary)));
+        }
+        let there = |table: Table| (!table.is_empty()).then_some(table);
+        (there(first), there(sweep))
     }
 
     /// What a text stands for: itself (`None`) if it is no placeholder.
@@ -164,25 +219,93 @@ impl Variables {
         self.all[at].state = State::Open;
         let definition = self.all[at].definition.clone();
         let stream = self.all[at].streams_before;
-        let value = self.first_value(&definition, stream, faults);
+        let values = self.values(&definition, stream, faults);
+        let value = values.as_ref().and_then(|values| values.first().cloned());
+        self.all[at].several = values.and_then(|values| self.several(&definition, &values, faults));
         self.all[at].state = value.clone().map_or(State::Broken, State::Known);
         value
     }
 
-    /// The first value of a definition: of a variable, or of the master seed.
-    pub(crate) fn first_value(
+    /// What a definition becomes that has these values in the first variation, if it varies.
+    fn several(
+        &self,
+        definition: &Element,
+        values: &[String],
+        faults: &mut Vec<Fault>,
+    ) -> Option<Several> {
+        let span = definition.span;
+        let texts = definition.attributes.iter().map(|a| &a.value);
+        let inner = definition.children("value").map(|v| &v.text);
+        let hangs = texts.chain(inner).any(|t| self.varying(&t.text).is_some());
+        if values.len() < 2 && !hangs {
+            return None;
+        }
+        // A placeholder of what varies stays one.
+        let node = |text: &Text| match self.varying(&text.text) {
+            Some(name) => Node::string(text.span, format!("${{{name}}}")),
+            None => Node::new(text.span, typed(&self.known(text))),
+        };
+        let listed = || {
+            let node = |value: &String| Node::new(span, typed(value));
+            Several::Values(Node::new(
+                span,
+                Value::Array(values.iter().map(node).collect()),
+            ))
+        };
+        Some(match definition.name.text.as_str() {
+            "constant" => Several::Made(node(definition.attribute("value")?)),
+            "for" => {
+                let mut table = Table::default();
+                for key in ["from", "to", "step"] {
+                    if let Some(text) = definition.attribute(key) {
+                        table.set(key, node(text));
+                    }
+                }
+                Several::Values(Node::new(span, Value::Table(table)))
+            }
+            "each" if hangs && definition.attributes.is_empty() => {
+                let values = definition.children("value").map(|v| node(&v.text));
+                Several::Values(Node::new(span, Value::Array(values.collect())))
+            }
+            _ if hangs => {
+                let message = "these values hang on a variable that varies; here they are those of its first \
+                               value";
+                faults.push(Fault::warning(definition.name.span, message));
+                match values {
+                    [_] => return None,
+                    _ => listed(),
+                }
+            }
+            _ => listed(),
+        })
+    }
+
+    /// What a text stands for, if all its variables are known.
+    fn known(&self, text: &Text) -> String {
+        let known = placeholder(&text.text).and_then(|(name, default)| {
+            let variable = self.all.iter().find(|v| v.name.text == name);
+            match variable.map(|v| &v.state) {
+                Some(State::Known(value)) => Some(value.clone()),
+                _ => default.map(str::to_owned),
+            }
+        });
+        known.unwrap_or_else(|| text.text.clone())
+    }
+
+    /// The values of a definition: of a variable, or of the master seed. At least one.
+    pub(crate) fn values(
         &mut self,
         definition: &Element,
         stream: usize,
         faults: &mut Vec<Fault>,
-    ) -> Option<String> {
+    ) -> Option<Vec<String>> {
         let mut reader = Definition {
             variables: self,
             element: definition,
             faults,
         };
-        let (value, count) = match definition.name.text.as_str() {
-            "constant" => (reader.text("value")?, 1.0),
+        Some(match definition.name.text.as_str() {
+            "constant" => vec![reader.text("value")?],
             "for" => reader.counted()?,
             "each" => reader.listed()?,
             "uniform-random" => reader.uniform(stream)?,
@@ -193,9 +316,7 @@ impl Variables {
                 faults.push(Fault::unknown(span, "kind of variable", other, known));
                 return None;
             }
-        };
-        self.variations *= count;
-        Some(value)
+        })
     }
 }
 
@@ -268,7 +389,7 @@ impl Definition<'_> {
     }
 
     /// `for`: from, to, step; both ends count.
-    fn counted(&mut self) -> Option<(String, f64)> {
+    fn counted(&mut self) -> Option<Vec<String>> {
         let (from, to) = (self.number("from")?, self.number("to")?);
         let step = self.number_or("step", 1.0)?;
         let steps = (to - from) / step;
@@ -278,8 +399,9 @@ impl Definition<'_> {
         }
         // A hair of slack: ten steps of 0.01 lead from 0.2 to 0.3, whatever their sum.
         let count = (steps + 1e-9).floor() + 1.0;
-        if count.is_nan() || count > VALUES_MAX {
-            return self.error(self.element.name.span, "this counts too many values");
+        if count.is_nan() || count > RUNS_MAX as f64 {
+            let message = format!("these are {count} values, and {RUNS_MAX} runs are the most");
+            return self.error(self.element.name.span, message);
         }
         if count > 1.0 && count != original_count(from, to, step) {
             let message = "the original lost the last value of this `for`, or all that count down; \
@@ -287,11 +409,12 @@ impl Definition<'_> {
             self.faults
                 .push(Fault::note(self.element.name.span, message));
         }
-        Some((from.to_string(), count))
+        let value = |at: u32| (from + f64::from(at) * step).to_string();
+        Some((0..count as u32).map(value).collect())
     }
 
     /// `each`: a list of values, of which `num-draws` from number `first-draw` on count.
-    fn listed(&mut self) -> Option<(String, f64)> {
+    fn listed(&mut self) -> Option<Vec<String>> {
         let values: Vec<Text> = self
             .element
             .children("value")
@@ -322,10 +445,11 @@ impl Definition<'_> {
         if count == 0 {
             return self.error(self.span("num-draws"), "no value of this list counts");
         }
-        Some((self.resolved(&values[first]), count as f64))
+        let values = &values[first..first + count];
+        Some(values.iter().map(|value| self.resolved(value)).collect())
     }
 
-    fn uniform(&mut self, stream: usize) -> Option<(String, f64)> {
+    fn uniform(&mut self, stream: usize) -> Option<Vec<String>> {
         let (from, to) = (self.number("from")?, self.number("to")?);
         let (mut random, skip, draws) = self.random(stream)?;
         let (low, high) = (from.min(to), from.max(to));
@@ -333,22 +457,31 @@ impl Definition<'_> {
         for _ in 0..skip {
             draw();
         }
-        Some((draw().to_string(), draws))
+        Some((0..draws).map(|_| draw().to_string()).collect())
     }
 
-    fn normal(&mut self, stream: usize) -> Option<(String, f64)> {
+    fn normal(&mut self, stream: usize) -> Option<Vec<String>> {
         let (mean, sigma) = (self.number("mean")?, self.number("std-dev")?);
         let low = self.number_or("from", f64::NEG_INFINITY)?;
         let high = self.number_or("to", f64::INFINITY)?;
         let (mut random, skip, draws) = self.random(stream)?;
+        let mut values = Vec::new();
+        let mut misses = 0;
         let mut left = skip;
-        for _ in 0..REDRAWS_MAX.saturating_add(skip) {
+        while misses < REDRAWS_MAX {
             let value = mean + random.gaussian() * sigma;
-            if (low.min(high)..=low.max(high)).contains(&value) {
-                if left == 0 {
-                    return Some((value.to_string(), draws));
-                }
+            if !(low.min(high)..=low.max(high)).contains(&value) {
+                misses += 1;
+                continue;
+            }
+            misses = 0;
+            if left > 0 {
                 left -= 1;
+                continue;
+            }
+            values.push(value.to_string());
+            if values.len() == draws {
+                return Some(values);
             }
         }
         let message = format!("no draw lies between {low} and {high}");
@@ -356,7 +489,7 @@ impl Definition<'_> {
     }
 
     /// The stream of a random variable, how many draws it skips, and how many it takes.
-    fn random(&mut self, stream: usize) -> Option<(JavaRandom, usize, f64)> {
+    fn random(&mut self, stream: usize) -> Option<(JavaRandom, usize, usize)> {
         let source = match self.element.attribute("seed-source").is_some() {
             true => self.text("seed-source")?,
             false => "DEFAULT".to_owned(),
@@ -368,6 +501,12 @@ impl Definition<'_> {
                 self.whole_or("seed", 1)?
             }
             "RANDOM_STREAM" => {
+                if self.variables.seeds.len() > 1 {
+                    let message = "the original drew these anew for each master seed; here they are those of the \
+                                   first one";
+                    let span = self.span("seed-source");
+                    self.faults.push(Fault::warning(span, message));
+                }
                 let mut master = JavaRandom::new(self.variables.master_seed);
                 (0..=stream).map(|_| master.long()).last().unwrap_or(1)
             }
@@ -388,7 +527,11 @@ impl Definition<'_> {
         if draws < 1 {
             return self.error(self.span("num-draws"), "a variable has at least one value");
         }
-        Some((JavaRandom::new(seed), (first - 1) as usize, draws as f64))
+        if draws > RUNS_MAX as i64 {
+            let message = format!("these are {draws} values, and {RUNS_MAX} runs are the most");
+            return self.error(self.span("num-draws"), message);
+        }
+        Some((JavaRandom::new(seed), (first - 1) as usize, draws as usize))
     }
 }
 
@@ -444,10 +587,22 @@ mod tests {
         );
         assert_eq!(value(&mut all, "${m}").0.as_deref(), Some("0.2"));
         assert_eq!(value(&mut all, "${e}").0.as_deref(), Some("5"));
+        let (first, sweep) = all.sweep();
         assert_eq!(
-            all.variations,
-            11.0 * 3.0 * 4.0,
-            "the end point of `for` is kept"
+            crate::print::to_toml(&Node::new(
+                Span::default(),
+                Value::Table(sweep.expect("varies"))
+            )),
+            "[vary]\n\"variables.bee.len\" = { from = 0.2, to = 0.3, step = 0.01 }\n\
+             \"variables.e\" = [5, 6, 7]\n\"variables.u\" = [1.7308781907032909, 1.4100808114922017, \
+             1.2077148413097172, 1.3327170559595112]\n",
+            "both ends of `for`, and what java.util.Random(1) draws"
+        );
+        let first = first.expect("varies");
+        assert_eq!(
+            first.get("m").and_then(Node::as_str),
+            Some("${bee.len}"),
+            "it hangs on another"
         );
         assert_eq!(faults.len(), 1, "{faults:?}");
         let u: f64 = value(&mut all, "${u}")
@@ -463,7 +618,8 @@ mod tests {
     fn counting_down_is_counting_too() {
         let (mut all, faults) =
             variables(r#"<variable name="d"><for from="3" to="1" step="-1"/></variable>"#);
-        assert_eq!((all.variations, faults.len()), (3.0, 1));
+        assert_eq!(faults.len(), 1);
+        assert_eq!(all.varying("${d}"), Some("d"));
         assert_eq!(value(&mut all, "${d}").0.as_deref(), Some("3"));
     }
 
@@ -474,7 +630,9 @@ mod tests {
                <value>5</value><value>6</value><value>7</value><value>8</value></each></variable>"#,
         );
         assert_eq!(value(&mut all, "${e}").0.as_deref(), Some("6"));
-        assert_eq!(all.variations, 2.0);
+        let (_, sweep) = all.sweep();
+        let sweep = Node::new(Span::default(), Value::Table(sweep.expect("varies")));
+        assert!(crate::print::to_toml(&sweep).contains("\"variables.e\" = [6, 7]"));
     }
 
     #[test]

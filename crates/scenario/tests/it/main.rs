@@ -12,6 +12,7 @@ mod plans;
 mod radios;
 mod shelf;
 mod shipped;
+mod sweeps;
 mod worlds;
 
 // The files name parts, and those must be linked.

@@ -105,7 +105,7 @@ fn scenario(models: &str, rest: &str) -> String {
 fn converted(text: &str) -> (String, String) {
     let loaded = good("old.xml", text);
     (
-        loaded.toml(),
+        loaded.toml_with_sweep(),
         render::faults(loaded.faults(), loaded.sources(), false),
     )
 }
@@ -196,7 +196,7 @@ fn two_models_of_one_name_get_names_of_their_own() {
 }
 
 #[test]
-fn the_first_variation_runs_and_the_others_are_counted() {
+fn the_variations_of_an_old_scenario_are_a_sweep() {
     let (toml, said) = converted(&scenario(
         r#"<model><java-class>§.example.RandomWalkBee</java-class>
              <properties>
@@ -210,11 +210,21 @@ fn the_first_variation_runs_and_the_others_are_counted() {
              <variable name="unused"><each><value>1</value><value>2</value><value>3</value></each></variable>
            </variables></looping>"#,
     ));
-    assert!(toml.contains("length = \"0.2 m\""), "{toml}");
+    assert!(toml.contains("length = \"${bee.len} m\""), "{toml}");
     assert!(toml.contains("max_speed = \"1.5 m/s\""), "{toml}");
+    let range = "\"variables.bee.len\" = { from = 0.2, to = 0.3, step = 0.01 }";
+    assert!(toml.contains(range), "{toml}");
+    assert!(toml.contains("\"variables.unused\" = [1, 2, 3]"), "{toml}");
+    let loaded = good("new.toml", &toml);
+    let sweep = loaded.sweep().expect("a sweep");
+    assert_eq!(sweep.len(), 33);
+    assert_eq!(sweep.values(32), ["0.3", "3"]);
+    assert!(sweep.check().is_ok());
+    let last = sweep.load(32).unwrap_or_else(|_| panic!("good"));
     assert!(
-        said.contains("of the 33 variations only the first one runs"),
-        "{said}"
+        last.toml().contains("length = \"0.3 m\""),
+        "{}",
+        last.toml()
     );
     assert!(said.contains("lost the last value"), "{said}");
     assert!(
@@ -232,7 +242,11 @@ fn a_master_seed_may_be_a_variable() {
     let (toml, said) = converted(&text);
     // (long) floor of new java.util.Random(112181).nextDouble() * 1e7
     assert!(toml.contains("seed = "), "{toml}");
-    assert!(said.contains("of the 3 variations"), "{said}");
+    assert!(!said.contains("error"), "{said}");
+    let loaded = good("new.toml", &toml);
+    let seeds = loaded.sweep().and_then(|s| s.seeds()).expect("seeds");
+    assert_eq!(seeds.len(), 3);
+    assert_eq!(seeds[0].cast_unsigned(), loaded.plan().run.seed);
 }
 
 #[test]

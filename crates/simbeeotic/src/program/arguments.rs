@@ -3,6 +3,7 @@
 use super::bench::Experiment;
 use super::plot::{PLOT_EXAMPLES, Plot};
 use super::render_arguments::{RENDER_EXAMPLES, RenderOptions};
+use super::sweep::{SWEEP_EXAMPLES, SweepOptions};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -23,6 +24,8 @@ First steps:
   simbeeotic run scenarios/first-swarm.toml      fly a hundred bees
   simbeeotic run scenarios/first-swarm.toml --view --open
                                                  watch them
+  simbeeotic sweep scenarios/first-swarm.toml --seeds 5 --vary \"model.bee.count=50,100,200\"
+                                                 fifteen runs, one table
   simbeeotic list                                what a scenario can name
   simbeeotic describe instrument-bee             a part's parameters, with units and defaults
   simbeeotic plot traces run.mcap -o flown.svg   who flew where
@@ -38,6 +41,9 @@ pub(super) enum Command {
     Run(RunOptions),
     /// Find every error of a scenario, or of a world alone, without running it
     Check(ScenarioOptions),
+    /// Run a scenario many times, with other values and seeds, and write a table of what came out
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(Box<SweepOptions>),
     /// List the parts that a scenario can name
     List {
         /// Only parts of this kind: model, vehicle, sensor, radio, antenna, propagation, weather,

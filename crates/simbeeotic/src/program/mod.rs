@@ -1,5 +1,5 @@
 //! The program: `simbeeotic run`, `check`, `list`, `describe`, `schema`, `new`, `convert`,
-//! `view`, `export`, `plot`, `render`, `world`, `bench`.
+//! `sweep`, `view`, `export`, `plot`, `render`, `world`, `bench`.
 //!
 //! A crate with parts of its own gets all of it by a `main` of one line:
 //!
@@ -26,6 +26,8 @@ mod run;
 mod shelf;
 mod show;
 mod summary;
+mod sweep;
+mod table;
 mod view;
 mod world;
 
@@ -48,6 +50,7 @@ pub fn main() -> ExitCode {
     let result = match arguments.command {
         Command::Run(options) => run::run(options),
         Command::Check(options) => run::check(&options),
+        Command::Sweep(options) => sweep::sweep(&options),
         Command::List { kind, json } => shelf::list(kind.as_deref(), json),
         Command::Describe { name, json } => shelf::describe(&name, json),
         Command::Schema => shelf::schema(),

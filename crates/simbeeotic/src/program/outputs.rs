@@ -1,6 +1,7 @@
 //! The files that a run writes: none of them may be one that it reads, or another that it writes.
 
-use super::arguments::RunOptions;
+use super::arguments::{RunOptions, ScenarioOptions};
+use super::table::{Format, TableFile};
 use super::{Failure, same_file};
 use simbeeotic_scenario::Loaded;
 use std::fs::File;
@@ -14,6 +15,9 @@ pub(super) const RECORDER: &str = "recorder";
 const MCAP: &[u8] = b"\x89MCAP0\r\n";
 /// What a summary as CSV begins with.
 const CSV: &[u8] = b"run,seed,scenario,trace_hash,";
+/// What a table of runs as CSV begins with, and columns that it has.
+const RUNS: &[u8] = b"run,seed,";
+const RUNS_COLUMNS: &[u8] = b",trace_hash,ended,error,";
 /// A name that stands in every summary as Parquet or JSON.
 const COLUMN: &[u8] = b"trace_hash";
 /// So many bytes of a file's beginning or end are looked at.
@@ -23,7 +27,7 @@ const LOOKED_AT: usize = 65_536;
 pub(super) fn check(loaded: &Loaded, options: &RunOptions) -> Result<(), Failure> {
     let recordings = recordings(loaded, options);
     for (flag, path) in &recordings {
-        refuse_input(flag, path, options)?;
+        refuse_input(flag, path, &options.scenario)?;
         if !replaceable(path, |bytes| bytes.starts_with(MCAP)) {
             return Err(refused(flag, path, "no recording"));
         }
@@ -31,7 +35,7 @@ pub(super) fn check(loaded: &Loaded, options: &RunOptions) -> Result<(), Failure
     let Some(path) = &options.summary else {
         return Ok(());
     };
-    refuse_input("--summary", path, options)?;
+    refuse_input("--summary", path, &options.scenario)?;
     if recordings.iter().any(|(_, other)| same_target(path, other)) {
         return Err(Failure::input(format!(
             "--summary {}: the recording of the run goes into this file",
@@ -48,6 +52,38 @@ pub(super) fn check(loaded: &Loaded, options: &RunOptions) -> Result<(), Failure
         true => Ok(()),
         false => Err(refused("--summary", path, "no summary of a run")),
     }
+}
+
+/// Looks at all files of a sweep before it begins.
+pub(super) fn check_runs(
+    scenario: &ScenarioOptions,
+    table: &TableFile,
+    record: Option<&Path>,
+    runs: usize,
+) -> Result<(), Failure> {
+    let ours = |bytes: &[u8]| match table.format {
+        Format::Csv => bytes.starts_with(RUNS) && holds(bytes, RUNS_COLUMNS),
+        Format::Json => bytes.starts_with(b"[") && holds(bytes, COLUMN),
+        Format::Parquet => bytes.starts_with(b"PAR1") && holds(bytes, COLUMN),
+    };
+    refuse_input("--output", &table.path, scenario)?;
+    if !replaceable(&table.path, ours) {
+        return Err(refused("--output", &table.path, "no table of runs"));
+    }
+    let Some(folder) = record else { return Ok(()) };
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::input(format!(
+            "--record {}: this is a file, and a folder is wanted",
+            folder.display()
+        )));
+    }
+    for run in 0..runs {
+        let path = super::sweep::recording(folder, run);
+        if !replaceable(&path, |bytes| bytes.starts_with(MCAP)) {
+            return Err(refused("--record", &path, "no recording"));
+        }
+    }
+    Ok(())
 }
 
 /// The files that are recorded into, and who says so.
@@ -69,8 +105,7 @@ fn recordings(loaded: &Loaded, options: &RunOptions) -> Vec<(&'static str, PathB
 }
 
 /// An error if a file to be written is one that the run is read from.
-fn refuse_input(flag: &str, file: &Path, options: &RunOptions) -> Result<(), Failure> {
-    let scenario = &options.scenario;
+fn refuse_input(flag: &str, file: &Path, scenario: &ScenarioOptions) -> Result<(), Failure> {
     let mut inputs = std::iter::once(&scenario.scenario).chain(&scenario.world);
     match inputs.any(|input| same_file(input, file)) {
         true => Err(Failure::input(format!(

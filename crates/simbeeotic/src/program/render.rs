@@ -227,7 +227,7 @@ impl<'a> Job<'a> {
         times: &[u64],
     ) -> Result<usize, Failure> {
         let interrupted = interrupts();
-        let bar = (!options.quiet).then(|| show::Steps::start(times.len() as u64));
+        let bar = (!options.quiet).then(|| show::Steps::start(times.len() as u64, "pictures"));
         let mut each = |add: &mut dyn FnMut(&Picture) -> Result<(), RenderError>| {
             for (number, time_ns) in times.iter().enumerate() {
                 let added = film.picture(*time_ns).and_then(|picture| add(&picture));

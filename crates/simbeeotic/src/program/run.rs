@@ -4,7 +4,7 @@ use super::arguments::{Factor, RunOptions, ScenarioOptions};
 use super::input::{self, time};
 use super::outputs::{self, RECORDER};
 use super::summary::SummaryFile;
-use super::{Failure, complain, remark, say, show, view};
+use super::{Failure, complain, remark, say, show, sweep, view};
 use simbeeotic_model::config::{Node, Span};
 use simbeeotic_model::registry::{self, Kind, Make};
 use simbeeotic_model::{Setup, Simulation, SimulationError};
@@ -25,6 +25,9 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     let table = options.summary.as_deref().map(SummaryFile::new);
     let table = table.transpose()?;
     let loaded = input::load(&options.scenario, options.quiet)?;
+    if let Some(sweep) = loaded.sweep().filter(|_| !options.quiet) {
+        remark(sweep::first_of(sweep, &options.scenario.scenario));
+    }
     let mut setup = input::setup(&loaded)?;
     if let Some(threads) = options.threads {
         setup.threads = threads;
@@ -100,7 +103,7 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
 }
 
 /// Why an interrupted run ended, in its summary.
-const INTERRUPTED: &str = "interrupted";
+pub(super) const INTERRUPTED: &str = "interrupted";
 
 /// Ctrl-C and SIGTERM end the run after the present instant, with its recording closed and its
 /// summary shown; a second one ends the program at once. Tells whether there was one.
@@ -173,7 +176,10 @@ fn choose_recording(
 }
 
 /// A recorder that writes to `path`; all else is as the scenario's first recorder has it.
-fn recorder(path: &Path, loaded: &Loaded) -> Result<Box<dyn simbeeotic_model::Component>, Failure> {
+pub(super) fn recorder(
+    path: &Path,
+    loaded: &Loaded,
+) -> Result<Box<dyn simbeeotic_model::Component>, Failure> {
     let part = registry::find(Kind::Component, RECORDER).map(|p| p.make);
     let Some(Make::Component(make)) = part else {
         return Err(Failure::run("this program has no recorder"));
@@ -201,7 +207,14 @@ pub(super) fn check(options: &ScenarioOptions) -> Result<(), Failure> {
     };
     let setup = input::setup(&loaded)?;
     let simulation = Simulation::new(setup).map_err(|e| input::setup_failure(&loaded, e))?;
-    say(describe(&loaded, &simulation))
+    let mut said = describe(&loaded, &simulation);
+    if let Some(sweep) = loaded.sweep() {
+        sweep
+            .check()
+            .map_err(|r| Failure::input(input::text_of(&r)))?;
+        said = format!("{said}; {}", sweep::counted(sweep));
+    }
+    say(said)
 }
 
 fn describe(loaded: &Loaded, simulation: &Simulation) -> String {

@@ -75,11 +75,14 @@ impl Drop for Bar {
 pub(super) struct Steps(ProgressBar);
 
 impl Steps {
-    pub(super) fn start(total: u64) -> Self {
+    /// A bar of so many steps; `what` they are.
+    pub(super) fn start(total: u64, what: &str) -> Self {
         let bar =
             ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(10));
-        let template = "{bar:32} {percent:>3}%  {pos} of {len} pictures   {per_sec}   {eta} left";
-        if let Ok(style) = ProgressStyle::with_template(template) {
+        let template = format!(
+            "{{bar:32}} {{percent:>3}}%  {{pos}} of {{len}} {what}   {{per_sec}}   {{eta}} left"
+        );
+        if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style.progress_chars("=> "));
         }
         Self(bar)
@@ -87,6 +90,11 @@ impl Steps {
 
     pub(super) fn at(&self, done: u64) {
         self.0.set_position(done);
+    }
+
+    /// Does something that prints, with the bar out of the way.
+    pub(super) fn aside(&self, act: impl FnOnce()) {
+        self.0.suspend(act);
     }
 }
 
@@ -119,10 +127,10 @@ pub(super) fn threads(threads: usize) -> String {
 }
 
 /// The metrics that stand in a printed summary.
-const METRICS_SHOWN: usize = 6;
+pub(super) const METRICS_SHOWN: usize = 6;
 
 /// Any number with about three digits that count.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),
         usual if (1e-3..1e9).contains(&usual) && value < 0.0 => format!("-{}", plain(usual)),

@@ -1,25 +1,14 @@
 //! `run --summary FILE`: the numbers of a run as a table.
 
 use super::Failure;
+use super::table::TableFile;
 use simbeeotic_model::{Consumer, ModelMetric, Simulation, Summary};
-use simbeeotic_record::{Column, publish, write_table};
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
-
-/// What a table of a summary can be written as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Parquet,
-    Csv,
-    Json,
-}
+use simbeeotic_record::Column;
+use std::path::Path;
 
 /// A file that a summary will be written to.
 #[derive(Debug)]
-pub(super) struct SummaryFile {
-    path: PathBuf,
-    format: Format,
-}
+pub(super) struct SummaryFile(TableFile);
 
 /// One row: a metric of a model, or a number of the whole run.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,29 +27,7 @@ struct Row {
 impl SummaryFile {
     /// Looks at the path before the run, so that no run is in vain.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
-        let ending = path.extension().and_then(|ending| ending.to_str());
-        let format = match ending {
-            Some("parquet") => Format::Parquet,
-            Some("csv") => Format::Csv,
-            Some("json") => Format::Json,
-            _ => {
-                let message = "its name must end in .parquet, .csv or .json";
-                return Err(failed(path, message));
-            }
-        };
-        let folder = path
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty());
-        match folder {
-            Some(folder) if !folder.is_dir() => {
-                let message = format!("there is no folder {}", folder.display());
-                Err(failed(path, message))
-            }
-            _ => Ok(Self {
-                path: path.to_path_buf(),
-                format,
-            }),
-        }
+        TableFile::new("--summary", path).map(Self)
     }
 
     /// Writes it, whole or not at all.
@@ -76,23 +43,8 @@ impl SummaryFile {
             rows.extend([sum, mean]);
         }
         rows.extend(simulation.metrics().iter().map(|m| of_model(simulation, m)));
-        self.write_rows(summary, &rows)
+        self.0.write(&columns(summary, &rows))
     }
-
-    fn write_rows(&self, summary: &Summary, rows: &[Row]) -> Result<(), Failure> {
-        let path = &self.path;
-        match self.format {
-            Format::Parquet => write_table(path, &columns(summary, rows)).map_err(Failure::run),
-            Format::Csv => publish(path, |file| csv(BufWriter::new(file), summary, rows))
-                .map_err(|e| failed(path, e)),
-            Format::Json => publish(path, |file| json(BufWriter::new(file), summary, rows))
-                .map_err(|e| failed(path, e)),
-        }
-    }
-}
-
-fn failed(path: &Path, what: impl std::fmt::Display) -> Failure {
-    Failure::input(format!("--summary {}: {what}", path.display()))
 }
 
 impl Row {
@@ -171,23 +123,7 @@ fn of_run(s: &Summary) -> Vec<Row> {
     rows
 }
 
-/// The columns of all formats, in their order. `run` counts the runs of a sweep; here there is one.
-const NAMES: [&str; 13] = [
-    "run",
-    "seed",
-    "scenario",
-    "trace_hash",
-    "model",
-    "kind",
-    "metric",
-    "unit",
-    "count",
-    "last",
-    "mean",
-    "min",
-    "max",
-];
-
+/// The columns. `run` counts the runs of a sweep; here there is one.
 fn columns(summary: &Summary, rows: &[Row]) -> Vec<Column> {
     let texts = |name: &str, of: &dyn Fn(&Row) -> String| {
         Column::texts(name, rows.iter().map(of).collect())
@@ -214,75 +150,10 @@ fn columns(summary: &Summary, rows: &[Row]) -> Vec<Column> {
     ]
 }
 
-fn csv(mut to: impl Write, summary: &Summary, rows: &[Row]) -> io::Result<()> {
-    writeln!(to, "{}", NAMES.join(","))?;
-    let run = [
-        "0".to_owned(),
-        summary.seed.cast_signed().to_string(),
-        quoted(&summary.scenario),
-        quoted(&summary.trace_hash),
-    ];
-    let run = run.join(",");
-    for row in rows {
-        let [path, kind] = &row.model;
-        let texts = [path, kind, &row.metric, &row.unit].map(|text| quoted(text));
-        let numbers = [row.last, row.mean, row.min, row.max].map(|value| value.to_string());
-        let (texts, numbers) = (texts.join(","), numbers.join(","));
-        writeln!(to, "{run},{texts},{},{numbers}", row.count)?;
-    }
-    to.flush()
-}
-
-/// A text as a field of CSV (RFC 4180).
-fn quoted(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
-}
-
-/// A list of objects, one a row. What is no finite number is `null`.
-fn json(mut to: impl Write, summary: &Summary, rows: &[Row]) -> io::Result<()> {
-    let rows = rows.iter().map(|row| {
-        serde_json::json!({
-            "run": 0,
-            "seed": summary.seed.cast_signed(),
-            "scenario": summary.scenario,
-            "trace_hash": summary.trace_hash,
-            "model": row.model[0],
-            "kind": row.model[1],
-            "metric": row.metric,
-            "unit": row.unit,
-            "count": row.count,
-            "last": row.last,
-            "mean": row.mean,
-            "min": row.min,
-            "max": row.max,
-        })
-    });
-    serde_json::to_writer_pretty(&mut to, &rows.collect::<Vec<_>>())?;
-    writeln!(to)?;
-    to.flush()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::table::csv;
     use super::*;
-
-    #[test]
-    fn a_file_says_by_its_ending_what_it_is() {
-        for (name, format) in [
-            ("a.parquet", Format::Parquet),
-            ("a.b.csv", Format::Csv),
-            ("a.json", Format::Json),
-        ] {
-            let file = SummaryFile::new(Path::new(name)).ok();
-            assert_eq!(file.map(|file| file.format), Some(format));
-        }
-        for name in ["a", "a.txt", ".csv", "there/is/no/such/folder/a.csv"] {
-            assert!(SummaryFile::new(Path::new(name)).is_err(), "{name}");
-        }
-    }
 
     #[test]
     fn fields_with_commas_and_quotes_are_quoted() {
@@ -299,7 +170,7 @@ mod tests {
             ..Summary::default()
         };
         let mut text = Vec::new();
-        csv(&mut text, &summary, &[row]).expect("memory");
+        csv(&mut text, &columns(&summary, &[row])).expect("memory");
         let text = String::from_utf8(text).expect("text");
         let (_, line) = text.split_once('\n').expect("two lines");
         assert_eq!(
@@ -307,12 +178,5 @@ mod tests {
             "0,-1,one,0f,\"a,b\",\"say \"\"bee\"\"\",height,m,1,0.5,0.5,0.5,0.5\n"
         );
         assert_eq!(text.lines().next().map(|l| l.split(',').count()), Some(13));
-    }
-
-    #[test]
-    fn the_columns_of_a_table_have_the_names_of_the_others() {
-        let columns = columns(&Summary::default(), &[]);
-        let names: Vec<&str> = columns.iter().map(|c| c.name.as_str()).collect();
-        assert_eq!(names, NAMES);
     }
 }

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The viewer's name on the shelf.
-const VIEWER: &str = "viewer";
+pub(super) const VIEWER: &str = "viewer";
 
 /// Adds the viewer that `--view` asks for, or takes the scenario's, and shows its address. Who looks at
 /// it, if there is one.

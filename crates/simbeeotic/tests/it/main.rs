@@ -18,6 +18,7 @@ mod plot_runs;
 mod program;
 mod radio;
 mod shelf;
+mod sweep;
 mod view;
 mod walls;
 mod world;

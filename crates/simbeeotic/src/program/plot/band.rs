@@ -54,7 +54,7 @@ pub(super) fn averaged(curves: &[Curve], times: &[f64]) -> Curve {
     }
 }
 
-pub(super) fn mean(values: &[f64]) -> Option<f64> {
+pub(crate) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 

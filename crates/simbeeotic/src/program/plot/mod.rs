@@ -9,7 +9,7 @@
 
 mod arguments;
 pub(super) mod axes;
-mod band;
+pub(super) mod band;
 pub(super) mod chart;
 mod coverage;
 mod delivery;
@@ -34,7 +34,7 @@ mod svg;
 mod sweep;
 mod traces;
 
-pub(super) use arguments::{PLOT_EXAMPLES, Plot};
+pub(super) use arguments::{BandKind, PLOT_EXAMPLES, Plot};
 
 use super::{Failure, remark};
 use sheet::Sheet;

@@ -1,0 +1,272 @@
+//! `simbeeotic sweep`: the same runs as one by one, in one table.
+
+use crate::program::{Call, Program, shipped};
+
+const BEES: &str = r#"
+[run]
+end_time = "2 s"
+seed = 4
+
+[[model]]
+use = "random-walk-bee"
+name = "bee"
+count = 3
+start = { box = ["4 m", "4 m", "2 m"] }
+
+[sweep]
+seeds = 2
+
+[sweep.vary]
+"model.bee.count" = [2, 5]
+"model.bee.params.heading_sigma" = ["0.1 rad", "0.8 rad"]
+"#;
+
+fn program() -> Program {
+    let program = Program::new();
+    program.write("bees.toml", BEES);
+    program
+}
+
+fn good(call: Call) -> Call {
+    assert_eq!(call.code, Some(0), "{}", call.err);
+    call
+}
+
+fn table(program: &Program, name: &str) -> Vec<Vec<String>> {
+    let text = std::fs::read_to_string(program.path(name)).expect("a table");
+    let row = |line: &str| line.split(',').map(str::to_owned).collect();
+    text.lines().map(row).collect()
+}
+
+#[test]
+fn each_row_is_the_run_that_its_values_give_alone() {
+    let program = program();
+    let call = good(program.call(&["sweep", "bees.toml"]));
+    let rows = table(&program, "bees-runs.csv");
+    assert_eq!(rows.len(), 9);
+    assert_eq!(
+        rows[0][..8],
+        [
+            "run",
+            "seed",
+            "model.bee.count",
+            "model.bee.params.heading_sigma",
+            "trace_hash",
+            "ended",
+            "error",
+            "virtual_s"
+        ]
+    );
+    let order: Vec<String> = rows[1..].iter().map(|row| row[..4].join(" ")).collect();
+    assert_eq!(order[0], "1 4 2 0.1 rad");
+    assert_eq!(order[1], "2 4 2 0.8 rad");
+    assert_eq!(order[7], "8 5 5 0.8 rad");
+    let alone = program.trace(&[
+        "bees.toml",
+        "--no-record",
+        "--seed",
+        "5",
+        "--set",
+        "model.bee.count=5",
+        "--set",
+        "model.bee.params.heading_sigma=0.8 rad",
+    ]);
+    assert_eq!(rows[8][4], alone);
+    let mut hashes: Vec<&String> = rows[1..].iter().map(|row| &row[4]).collect();
+    hashes.sort();
+    hashes.dedup();
+    assert_eq!(hashes.len(), 8, "no run is another");
+    assert!(call.out.contains("model.bee.count"), "{}", call.out);
+    assert!(call.out.contains("0.8 rad"), "{}", call.out);
+}
+
+#[test]
+fn the_table_is_the_same_for_any_number_of_jobs() {
+    let program = program();
+    for jobs in ["1", "2"] {
+        let name = format!("jobs-{jobs}.csv");
+        good(program.call(&["sweep", "bees.toml", "--jobs", jobs, "-o", &name, "-q"]));
+    }
+    let read = |name| std::fs::read(program.path(name)).expect("a table");
+    assert!(read("jobs-1.csv") == read("jobs-2.csv"));
+}
+
+#[test]
+fn options_vary_what_the_file_does_not_and_replace_what_it_does() {
+    let program = program();
+    let call = good(program.call(&[
+        "sweep",
+        "bees.toml",
+        "--seeds",
+        "1..3",
+        "--vary",
+        "model.bee.count=1",
+        "--vary",
+        "run.end_time=1 s..2 s step 0.5 s",
+        "--dry-run",
+    ]));
+    let lines: Vec<&str> = call.out.lines().collect();
+    assert_eq!(lines.len(), 1 + 3 * 2 * 3);
+    assert!(
+        lines[0].starts_with("run  seed  model.bee.count"),
+        "{}",
+        call.out
+    );
+    assert!(
+        lines[2].ends_with("0.1 rad                         1.5 s"),
+        "{}",
+        call.out
+    );
+    assert!(!program.path("bees-runs.csv").exists(), "nothing ran");
+    let call = program.call(&["sweep", "bees.toml", "--vary", "model.bee.cuont=1"]);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("did you mean `count`?"), "{}", call.err);
+    let still = "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n";
+    let call = program
+        .write("still.toml", still)
+        .call(&["sweep", "still.toml"]);
+    assert_eq!(call.code, Some(2));
+    assert!(
+        call.err.contains("does not say what varies"),
+        "{}",
+        call.err
+    );
+}
+
+#[test]
+fn a_run_that_fails_has_a_row_and_the_others_go_on() {
+    let program = program();
+    // More events at one time than are allowed end a run; two bees need fewer than five do.
+    let call = program.call(&["sweep", "bees.toml", "--set", "run.pending_events=4"]);
+    assert_eq!(call.code, Some(1), "{}", call.err);
+    assert!(
+        call.err.contains("(seed 4, model.bee.count = 5, "),
+        "{}",
+        call.err
+    );
+    assert!(call.err.contains("4 of 8 runs failed"), "{}", call.err);
+    let rows = table(&program, "bees-runs.csv");
+    assert_eq!(rows.len(), 9);
+    for row in &rows[1..] {
+        assert_eq!(row[5] == "failed", row[2] == "5", "{row:?}");
+        assert_eq!(row[6].is_empty(), row[2] == "2", "{row:?}");
+    }
+}
+
+#[test]
+fn recordings_are_made_for_each_run_and_change_nothing() {
+    let program = program();
+    good(program.call(&["sweep", "bees.toml", "-o", "a.csv", "-q"]));
+    good(program.call(&[
+        "sweep",
+        "bees.toml",
+        "-o",
+        "b.csv",
+        "-q",
+        "--record",
+        "runs",
+    ]));
+    let read = |name| std::fs::read(program.path(name)).expect("a table");
+    assert!(read("a.csv") == read("b.csv"));
+    for run in 1..=8 {
+        assert!(
+            program.path(&format!("runs/run-000{run}.mcap")).exists(),
+            "{run}"
+        );
+    }
+    let call = good(program.call(&["export", "runs/run-0008.mcap", "--csv"]));
+    assert!(call.out.contains("bee-4"), "five bees in the last run");
+}
+
+#[test]
+fn only_a_table_of_runs_is_written_over() {
+    let program = program();
+    program.write("mine.csv", "run,seed,of,my,own\n1,2,3,4,5\n");
+    let call = program.call(&["sweep", "bees.toml", "-o", "mine.csv"]);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("no table of runs"), "{}", call.err);
+    let call = program.call(&["sweep", "bees.toml", "-o", "bees.toml"]);
+    assert_eq!(call.code, Some(2));
+    for name in ["a.csv", "a.json", "a.parquet"] {
+        for _ in 0..2 {
+            good(program.call(&["sweep", "bees.toml", "-o", name, "-q"]));
+        }
+    }
+    let json = std::fs::read_to_string(program.path("a.json")).expect("a table");
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json[7]["model.bee.params.heading_sigma"], "0.8 rad");
+    assert_eq!(json[7]["run"], 8);
+}
+
+#[test]
+fn run_takes_the_first_combination_and_says_so_and_check_looks_at_all() {
+    let program = program();
+    let call = good(program.call(&["run", "bees.toml", "--no-record"]));
+    let line = "the first of 8 runs (seed 4, model.bee.count = 2, model.bee.params.heading_sigma = 0.1 rad); \
+                all of them: simbeeotic sweep bees.toml";
+    assert!(call.err.lines().any(|l| l == line), "{}", call.err);
+    let call = good(program.call(&["check", "bees.toml"]));
+    let said = "8 runs in its sweep (4 combinations, 2 seeds)";
+    assert!(call.out.contains(said), "{}", call.out);
+    program.write("wrong.toml", &BEES.replace("\"0.8 rad\"", "\"0.8 m\""));
+    let call = program.call(&["check", "wrong.toml"]);
+    assert_eq!(call.code, Some(2));
+    assert!(call.err.contains("wrong.toml:17:46"), "{}", call.err);
+    good(program.call(&["run", "wrong.toml", "--no-record", "-q"]));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_what_is_done() {
+    let program = Program::new();
+    // The first run is over at once; the second would take for ever.
+    program.write(
+        "bees.toml",
+        &BEES.replace(
+            "[sweep.vary]",
+            "[sweep.vary]\n\"run.end_time\" = [\"1 s\", \"10000 h\"]",
+        ),
+    );
+    let mut command = program.command();
+    command.args(["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"]);
+    command.args(["--vary", "model.bee.count=2"]);
+    let piped = std::process::Stdio::piped;
+    let child = command
+        .stdout(piped())
+        .stderr(piped())
+        .spawn()
+        .expect("it starts");
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    let id = child.id().to_string();
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &id])
+        .status();
+    assert!(sent.expect("kill is there").success());
+    let call = Call::from(child.wait_with_output().expect("it ends"));
+    assert_eq!(call.code, Some(130), "{}", call.err);
+    assert!(
+        call.err.contains("interrupted: 2 of 4 runs are done"),
+        "{}",
+        call.err
+    );
+    let rows = table(&program, "bees-runs.csv");
+    assert_eq!(rows.len(), 3);
+    assert_eq!((rows[1][0].as_str(), rows[2][0].as_str()), ("1", "2"));
+}
+
+#[test]
+fn an_old_scenario_sweeps_as_it_looped() {
+    let program = Program::new();
+    let xml = std::fs::read_to_string(shipped("scenarios/figure12.xml")).expect("shipped");
+    let looping = "<looping><variables><variable name=\"a\"><each><value>1</value><value>2</value></each>\
+                   </variable></variables></looping></scenario>";
+    program.write("old.xml", &xml.replace("</scenario>", looping));
+    let call = good(program.call(&["sweep", "old.xml", "--dry-run"]));
+    assert_eq!(call.out.lines().count(), 3, "{}", call.out);
+    let call = good(program.call(&["convert", "old.xml"]));
+    assert!(
+        call.out.contains("[sweep.vary]\n\"variables.a\" = [1, 2]"),
+        "{}",
+        call.out
+    );
+}
