@@ -1,14 +1,18 @@
 //! What has to be remembered of pairs: who touches whom unanswered, and who meets too often.
 //!
-//! Most pairs need no memory: after a bounce both segments are new, and say all. Two exceptions:
+//! Most pairs need no memory: after a bounce both segments are new, and say all. Exceptions:
 //!
 //! - A pair that only *detects* passes through itself on unchanged segments. From its meeting on it is
 //!   *inside*, until it has parted.
 //! - A body squeezed between two others that nothing can push away (a ghost pressing it to the ground)
 //!   would bounce infinitely often within a nanosecond. A pair of bodies that has met [`BURST_MAX`]
 //!   times, each within [`BURST_NS`] of the last, is *held*: it does not meet again for [`HOLD_NS`], and
-//!   overlaps meanwhile. The ground holds nobody: whoever is pressed into it is pressed by another body,
-//!   and it is enough to hold that pair.
+//!   overlaps meanwhile. With the ground it takes [`BURST_MAX_GROUND`] times in one instant: whoever is
+//!   pressed into it is pressed by other bodies, and it is enough to hold those pairs.
+//! - Who meets *in vain*, so that nothing comes of it, would meet again in the same instant, for ever. Such
+//!   a pair is held at once, the ground too. It happens where two overlap or touch in several places: one
+//!   piece of a compound closes in while another is deeper and comes out, and an impact is that of the
+//!   deepest.
 //!
 //! Memory of the last impact serves once more: a pair that has met within [`LASTING_S`] has not been
 //! apart, and meeting anew is no news (see [`Contact`](crate::Contact)).
@@ -23,6 +27,9 @@ use std::collections::BTreeMap;
 
 /// Meetings of one pair in close succession, after which it is held.
 const BURST_MAX: u32 = 16;
+/// Meetings with the ground at one instant, after which it is held: more than a dozen neighbours that are
+/// held in turn can cause.
+const BURST_MAX_GROUND: u32 = 256;
 /// Meetings this close in time belong to one burst.
 const BURST_NS: u64 = 5_000_000;
 /// For how long a pair is held.
@@ -109,17 +116,27 @@ impl Encounters {
             .get(&pair)
             .is_none_or(|burst| t.nanos() - burst.last.nanos() >= LASTING_NS);
         let burst = self.bursts.entry(pair).or_insert(Burst::at(t));
-        let close = t.nanos() - burst.last.nanos() <= BURST_NS;
+        let (most, within_ns) = if pair.1 == GROUND {
+            (BURST_MAX_GROUND, 0)
+        } else {
+            (BURST_MAX, BURST_NS)
+        };
+        let close = t.nanos() - burst.last.nanos() <= within_ns;
         let more = |count: u32, goes_on: bool| if goes_on { count.saturating_add(1) } else { 1 };
         *burst = Burst {
             last: t,
             count: more(burst.count, close),
             lasting: more(burst.lasting, !apart),
         };
-        if burst.count > BURST_MAX && pair.1 != GROUND {
+        if burst.count > most {
             self.holds.insert(pair, t.saturating_add_nanos(HOLD_NS));
         }
         apart
+    }
+
+    /// A pair has met at `t`, and nothing came of it: holds it.
+    pub(crate) fn met_in_vain(&mut self, pair: Pair, t: SimTime) {
+        self.holds.insert(pair, t.saturating_add_nanos(HOLD_NS));
     }
 
     /// How often a pair has bounced since it was last apart.

@@ -82,16 +82,20 @@ impl Physics {
     }
 
     pub(crate) fn run_until(&mut self, now: SimTime, contacts: &mut Vec<Contact>) {
-        loop {
-            match self.queue.peek(&self.motions) {
-                Some(due) if due.time <= now && due.time <= self.horizon => {
-                    self.queue.pop();
-                    self.happen(due, contacts);
-                }
-                _ if self.horizon < now => self.renew(self.horizon),
-                _ => break,
+        while self.happens_by(now, contacts) {}
+    }
+
+    /// The next thing that is due until `now` happens, if there is one.
+    fn happens_by(&mut self, now: SimTime, contacts: &mut Vec<Contact>) -> bool {
+        match self.queue.peek(&self.motions) {
+            Some(due) if due.time <= now && due.time <= self.horizon => {
+                self.queue.pop();
+                self.happen(due, contacts);
             }
+            _ if self.horizon < now => self.renew(self.horizon),
+            _ => return false,
         }
+        true
     }
 
     /// Lists all bodies anew at `t`, and predicts to the next horizon.
@@ -234,6 +238,9 @@ impl Physics {
         } else {
             self.bounce(a, b, &spot, time)
         };
+        if impact.in_vain {
+            self.encounters.met_in_vain(pair, time);
+        }
         self.tally.contacts += 1;
         if apart || impact.closing_speed() > limits::NEWS_SPEED_M_S {
             contacts.push(report(due, &impact));
@@ -394,3 +401,6 @@ pub(crate) fn report(due: Due, impact: &Impact) -> Contact {
         impulse_enu: impact.impulse,
     }
 }
+
+#[cfg(test)]
+mod tests;

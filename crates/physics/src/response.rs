@@ -108,6 +108,8 @@ pub(crate) struct Impact {
     pub(crate) impulse: DVec3,
     /// Whether it ended with the two hardly parting while forces may press them together.
     pub(crate) lasts: bool,
+    /// Whether nothing came of it: the two move on as before.
+    pub(crate) in_vain: bool,
 }
 
 impl Impact {
@@ -204,9 +206,12 @@ impl Contact<'_> {
             across = self.hold(now, across, friction * along);
         }
         let impulse = across - self.normal * along;
+        // The passes need not have come to an end: on a long lever friction can take back all that the
+        // normal push gives, and two that close in would be left to meet again in the same instant.
+        let taken_back = along == 0.0 && frictionless != DVec3::ZERO;
         // What the impulse does to the energy: its scalar product with the mean velocity.
         let work = |j: DVec3| j.dot(velocity + self.yields(j) * 0.5);
-        if self.central || work(impulse) <= work(frictionless).max(0.0) {
+        if self.central || !taken_back && work(impulse) <= work(frictionless).max(0.0) {
             impulse
         } else {
             frictionless
@@ -238,6 +243,7 @@ pub(crate) fn observe(a: &Motion, b: Option<&Motion>, spot: &Spot, t: SimTime) -
         relative_velocity: velocity(a) - b.map_or(DVec3::ZERO, velocity),
         impulse: DVec3::ZERO,
         lasts: false,
+        in_vain: false,
     }
 }
 
@@ -280,6 +286,7 @@ pub(crate) fn collide(
         relative_velocity: velocity,
         impulse,
         lasts: (pressed || stepped || !spot.central) && parting <= PARTING_SPEED_M_S,
+        in_vain: impulse == DVec3::ZERO,
     }
 }
 
@@ -362,6 +369,7 @@ pub(crate) fn collide_ground(
     Impact {
         impulse,
         lasts: slow && !stands,
+        in_vain: impulse == DVec3::ZERO && !(slow && stands),
         ..seen
     }
 }
