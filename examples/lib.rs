@@ -10,6 +10,7 @@ fn example(file: &str) -> simbeeotic::Experiment {
     simbeeotic::Experiment::file(format!("{}/{file}", env!("CARGO_MANIFEST_DIR")))
 }
 
+pub mod broadcast;
 pub mod corridor;
 pub mod drop;
 pub mod flocking;

@@ -14,10 +14,8 @@ fn scenario() -> Experiment {
 
 /// What one bee has published last; NaN if nothing.
 fn told(run: &Run, bee: &str, metric: &str) -> f64 {
-    let id = run.simulation().population().find(bee);
-    let all = run.simulation().metrics();
-    let mine = all.iter().find(|m| Some(m.model) == id && m.name == metric);
-    mine.map_or(f64::NAN, |m| m.values.last)
+    run.metric_of(bee, metric)
+        .map_or(f64::NAN, |tally| tally.last)
 }
 
 fn near(value: f64, wanted: f64, relative: f64) -> bool {

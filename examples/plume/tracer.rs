@@ -326,7 +326,11 @@ impl Tracer {
     fn cast(&mut self, leg: u32, spent: Time, bee: &mut Bee<'_>) -> DVec2 {
         let pair = f64::from(1_u32 << (leg / 2));
         let width = self.params.cast.metres() * pair;
-        let side = if leg.is_multiple_of(2) { self.side } else { -self.side };
+        let side = if leg.is_multiple_of(2) {
+            self.side
+        } else {
+            -self.side
+        };
         let back = (pair - 1.0) * BACK * self.params.cast.metres();
         let upwind = self.upwind();
         let to = self.last_place + upwind.perp() * (side * width) - upwind * back;
