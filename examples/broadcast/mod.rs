@@ -25,6 +25,7 @@ use std::collections::BTreeMap;
 pub struct CallingBee {
     params: CallingBeeParams,
     radio: RadioHandle,
+    name: String,
     drift: Velocity<Flu>,
     heard: u32,
     neighbours: BTreeMap<String, Neighbour>,
@@ -32,10 +33,10 @@ pub struct CallingBee {
 
 /// What a bee knows of another.
 struct Neighbour {
+    /// How loud its last frame was.
     rssi: PowerLevel,
-    last: SimTime,
     first: SimTime,
-    /// Frames after the first.
+    last: SimTime,
     frames: u32,
 }
 
@@ -43,7 +44,7 @@ impl Neighbour {
     /// The share of its calls since the first one that came through. NaN if there was none.
     fn delivery(&self, now: SimTime, period: Time) -> f64 {
         let calls = ((now - self.first) / period).round();
-        f64::from(self.frames) / calls
+        f64::from(self.frames - 1) / calls
     }
 }
 
@@ -82,6 +83,7 @@ impl Behavior for CallingBee {
         kit.every_from(phase, params.period, Self::call);
         Ok(Self {
             radio: kit.radio()?,
+            name: kit.path().to_owned(),
             params,
             drift,
             heard: 0,
@@ -96,28 +98,25 @@ impl Behavior for CallingBee {
         self.heard += 1;
         bee.metric("packets-heard", self.heard.into(), "1");
         let (rssi, now) = (packet.rssi(), bee.now());
-        let news = |known: &mut Neighbour| {
-            (known.rssi, known.last) = (rssi, now);
-            known.frames += 1;
-        };
-        let first = Neighbour {
+        let known = self.neighbours.entry(name.to_owned());
+        let neighbour = known.or_insert(Neighbour {
             rssi,
-            last: now,
             first: now,
+            last: now,
             frames: 0,
-        };
-        let entry = self.neighbours.entry(name.to_owned());
-        entry.and_modify(news).or_insert(first);
+        });
+        (neighbour.rssi, neighbour.last) = (rssi, now);
+        neighbour.frames += 1;
     }
 
     fn on_finish(&mut self, bee: &mut Bee<'_>) {
-        let loudest = self.neighbours.iter().max_by(|a, b| {
-            let (a, b) = (a.1.rssi.dbm(), b.1.rssi.dbm());
-            a.total_cmp(&b)
-        });
+        let power = |n: &Neighbour| n.rssi.dbm();
+        let all = self.neighbours.iter();
+        let loudest = all.max_by(|a, b| power(a.1).total_cmp(&power(b.1)));
         if let Some((name, n)) = loudest {
-            let (rssi, age, count) = (n.rssi, bee.now() - n.last, self.neighbours.len());
-            bee.log(format!("has {count} neighbours; loudest is {name}, {rssi:.0}, {age:.1} ago"));
+            let (count, age) = (self.neighbours.len(), bee.now() - n.last);
+            let loud = format!("{name}, {:.0}, {age:.1} ago", n.rssi);
+            bee.log(format!("has {count} neighbours; loudest is {loud}"));
         }
     }
 }
@@ -125,19 +124,17 @@ impl Behavior for CallingBee {
 impl CallingBee {
     fn call(&mut self, bee: &mut Bee<'_>) {
         bee.fly(self.drift);
-        let name = bee.path().to_owned();
-        bee.send(self.radio, name.as_bytes());
+        bee.send(self.radio, self.name.as_bytes());
 
         let (now, p) = (bee.now(), &self.params);
         self.neighbours.retain(|_, n| now - n.last < p.memory);
         let shares = self.neighbours.values().map(|n| n.delivery(now, p.period));
-        let (mut sum, mut known) = (0.0, 0.0);
-        for share in shares.filter(|share| share.is_finite()) {
-            sum += share;
-            known += 1.0;
-        }
+        let known: Vec<f64> = shares.filter(|share| share.is_finite()).collect();
         bee.metric("neighbours", self.neighbours.len() as f64, "1");
-        bee.metric("delivery", sum / known, "1"); // of nobody: NaN, which does not count
+        if !known.is_empty() {
+            let mean = known.iter().sum::<f64>() / known.len() as f64;
+            bee.metric("delivery", mean, "1");
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::example;
 use simbeeotic::Experiment;
+use simbeeotic::prelude::*;
 use simbeeotic::units::math;
 use std::f64::consts::PI;
 
@@ -15,7 +16,9 @@ fn pair(distance_m: f64) -> Experiment {
     let start = format!(
         r#"{{ grid = [2, 1, 1], spacing = "{distance_m} m", from = ["0 m", "0 m", "10 m"] }}"#
     );
-    still().set("model.bee.count", 2).set("model.bee.start", start)
+    still()
+        .set("model.bee.count", 2)
+        .set("model.bee.start", start)
 }
 
 /// Equation 1, dB.
@@ -46,7 +49,10 @@ fn the_share_that_comes_through_over_a_distance_is_that_of_the_closed_formula() 
         assert!((is - wanted).abs() < 4.0 * sigma, "{text}");
         // The control: with the original's wavelength, ten times too short, hardly any would.
         let (lost, _) = delivered(&pair(distance).set("model.bee.radio.tx_power", "-20 dBm"));
-        assert!(wanted > 0.1 && lost < 0.003, "{text}, {lost} with 20 dB less");
+        assert!(
+            wanted > 0.1 && lost < 0.003,
+            "{text}, {lost} with 20 dB less"
+        );
     }
 }
 
@@ -55,7 +61,10 @@ fn six_decibels_less_are_half_the_distance() {
     let (far, frames) = delivered(&pair(80.0));
     let less = format!("{} dBm", -20.0 * math::log10(2.0));
     let (near, _) = delivered(&pair(40.0).set("model.bee.radio.tx_power", less));
-    assert!((far - near).abs() < 5.0 * (0.5 / frames).sqrt(), "{far}, {near}");
+    assert!(
+        (far - near).abs() < 5.0 * (0.5 / frames).sqrt(),
+        "{far}, {near}"
+    );
 }
 
 #[test]
@@ -66,7 +75,10 @@ fn a_bee_that_counts_knows_the_share_that_comes_through() {
         let told = run.metric("delivery").expect("they hear each other").mean;
         let wanted = prr(80.0, 0.0);
         // Two bees and three hundred frames each.
-        assert!((told - wanted).abs() < 4.0 * (0.25_f64 / 600.0).sqrt(), "{told}, {wanted}");
+        assert!(
+            (told - wanted).abs() < 4.0 * (0.25_f64 / 600.0).sqrt(),
+            "{told}, {wanted}"
+        );
     }
 }
 
@@ -112,8 +124,65 @@ fn more_than_the_air_can_take_is_lost_and_the_run_goes_on() {
     assert!(full > Some(1000), "{:?}", run.packets);
 }
 
+/// Somebody with another protocol on the same channel.
+#[behavior("test-foreign-bee")]
+struct ForeignBee {
+    radio: RadioHandle,
+}
+
+/// It has none.
+#[params]
+#[derive(Default)]
+struct ForeignBeeParams {}
+
+impl Behavior for ForeignBee {
+    type Params = ForeignBeeParams;
+
+    fn build(_: ForeignBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        kit.every(Time::si(1.0), |me: &mut Self, bee| {
+            _ = bee.send(me.radio, b"\xff\xfe\0")
+        });
+        Ok(Self {
+            radio: kit.radio()?,
+        })
+    }
+}
+
+#[test]
+fn a_frame_that_is_no_name_is_ignored() {
+    let heard = simbeeotic::run_text(
+        r#"
+        [run]
+        end_time = "10 s"
+
+        [channel]
+        medium = "simple"
+
+        [[model]]
+        use = "test-foreign-bee"
+        start = ["1 m", "0 m", "5 m"]
+        radio = { use = "default-radio" }
+
+        [[model]]
+        use = "calling-bee"
+        start = ["0 m", "0 m", "5 m"]
+        radio = { use = "default-radio" }
+        "#,
+    );
+    let run = heard.unwrap_or_else(|error| panic!("{error}"));
+    assert!(run.packets.received > 10, "{:?}", run.packets);
+    assert_eq!(run.total("packets-heard") + run.total("neighbours"), 0.0);
+}
+
 #[test]
 fn a_run_repeats_on_any_number_of_threads() {
-    let hash = |threads| still().threads(threads).run().expect("it runs").trace_hash.clone();
+    let hash = |threads| {
+        still()
+            .threads(threads)
+            .run()
+            .expect("it runs")
+            .trace_hash
+            .clone()
+    };
     assert_eq!(hash(1), hash(2));
 }
