@@ -39,7 +39,7 @@ pub(crate) fn expand(draft: Draft, base: Base, faults: &mut Vec<Fault>) -> Resul
         combinations,
     };
     if let Some(node) = &draft.seeds {
-        let first = first_seed(&sweep);
+        let first = own_seed(&sweep, 0);
         sweep.seeds = Some(read::seeds(node, first, faults));
     }
     if faults.iter().filter(|fault| fault.is_error()).count() > before {
@@ -67,12 +67,12 @@ fn axis(entry: &Entry) -> Axis {
     }
 }
 
-/// The seed of the first run as its scenario has it.
-fn first_seed(sweep: &Sweep) -> i64 {
+/// The seed of a run as its scenario has it.
+pub(super) fn own_seed(sweep: &Sweep, run: usize) -> i64 {
     let mut faults = Vec::new();
     let mut tree = match sweep.combinations.is_empty() {
         true => sweep.base.tree.clone(),
-        false => sweep.tree(0, &mut faults),
+        false => sweep.tree(run, &mut faults),
     };
     let mut variables = sweep.base.given.clone();
     variables.extend(Variables::of(&tree, &mut faults));

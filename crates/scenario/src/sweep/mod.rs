@@ -28,6 +28,11 @@ pub(crate) use expand::expand;
 pub(crate) use read::{Fixed, SEEDS, VARY, read};
 pub(crate) use values::split as split_quantity;
 
+/// Number and unit of a quantity in a text, `10 m`; the unit of a bare number is empty.
+pub fn quantity(text: &str) -> Option<(f64, &str)> {
+    values::split(text).map(|(_, number, unit)| (number, unit))
+}
+
 use crate::load::{Base, Loaded, Rejected};
 use crate::print;
 use simbeeotic_model::config::{Fault, Key, Node, Span, Value};
@@ -86,10 +91,16 @@ impl Sweep {
         self.seeds.as_deref()
     }
 
-    /// The seed of a run, counted from 0, if the sweep says it.
+    /// The seed of a run, counted from 0: what the sweep says, else what its scenario does. `None` if there
+    /// is no such run.
     pub fn seed(&self, run: usize) -> Option<i64> {
-        let seeds = self.seeds.as_ref()?;
-        seeds.get(run / self.combinations.len()).copied()
+        if run >= self.len() {
+            return None;
+        }
+        match &self.seeds {
+            Some(seeds) => seeds.get(run / self.combinations.len()).copied(),
+            None => Some(expand::own_seed(self, run)),
+        }
     }
 
     /// The values of a run, counted from 0, as text; none for a run that there is not.
@@ -127,8 +138,9 @@ impl Sweep {
         for (axis, node) in self.nodes(run) {
             faults.extend(crate::set::place(&mut tree, &axis.path, node.clone()).err());
         }
-        if let Some(seed) = self.seed(run) {
-            read::put_seed(&mut tree, seed);
+        let seeds = self.seeds.as_ref().filter(|_| run < self.len());
+        if let Some(seed) = seeds.and_then(|seeds| seeds.get(run / self.combinations.len())) {
+            read::put_seed(&mut tree, *seed);
         }
         tree
     }

@@ -104,7 +104,7 @@ fn a_range_may_hang_on_a_variable_that_varies() {
     // The key behind the variable that it names.
     assert_eq!(
         runs(&loaded),
-        ["- 3 1", "- 3 2", "- 3 3", "- 1 1", "- 2 1", "- 2 2"]
+        ["4 3 1", "4 3 2", "4 3 3", "4 1 1", "4 2 1", "4 2 2"]
     );
 }
 
@@ -121,7 +121,7 @@ fn the_command_line_adds_replaces_and_fixes() {
     );
     assert_eq!(first(&["--seeds 1..2"]), ["1 1", "1 2", "2 1", "2 2"]);
     assert_eq!(first(&["model.bee.count=3"]), ["7 ", "5 "]);
-    assert_eq!(first(&["run.seed=3"]), ["- 1", "- 2"]);
+    assert_eq!(first(&["run.seed=3"]), ["3 1", "3 2"]);
     assert_eq!(loaded(sweep, &["run.seed=3"]).plan().run.seed, 3);
     let both = ["model.bee.count=3", "--vary model.bee.count=8,9"];
     let request = Request {

@@ -13,6 +13,7 @@ Examples:
   simbeeotic plot coverage talk.mcap -o seen.png --cell \"2 m\" --reach \"3 m\"
   simbeeotic plot links talk.mcap -o links.svg
   simbeeotic plot series run-*.mcap -o soc.svg --metric 'bee-*/battery/soc' --by model.bee.count
+  simbeeotic plot sweep runs.csv -o contacts.svg --x model.bee.count --metric contacts
 
 The file's ending says what it becomes: .svg or .png. Several recordings are runs of one experiment: series,
 histogram and coverage draw the mean over them with its 95 % confidence band, for each value of `--by`.
@@ -61,6 +62,16 @@ Examples:
   simbeeotic plot coverage run.mcap -o stay.svg --show dwell --area=-20,-20,20,20
   simbeeotic plot coverage run-*.mcap -o share.svg --over-time --area=-20,-20,20,20";
 
+const SWEEP_EXAMPLES: &str = "\
+A key whose values are numbers of one unit is an axis of numbers: a line through the means, with a band where they
+are with 95 % confidence. All others are words beside each other, with bars. Runs that differ in a key that is
+neither --x nor --by are taken together, as those of several seeds are.
+
+Examples:
+  simbeeotic sweep scenarios/first-swarm.toml --seeds 10 --vary \"model.bee.count=50..200 step 50\"
+  simbeeotic plot sweep first-swarm-runs.csv -o contacts.svg --x count --metric contacts
+  simbeeotic plot sweep runs.csv -o range.svg --x range_limit --metric packets/received --by count";
+
 /// What is drawn.
 #[derive(Subcommand)]
 pub(in crate::program) enum Plot {
@@ -84,6 +95,38 @@ pub(in crate::program) enum Plot {
     Rssi(DistanceOptions),
     /// Why frames were lost, over time; several recordings are added up
     Losses(LossOptions),
+    /// What runs come to over what was varied, from the table that `simbeeotic sweep` writes
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(SweepPlotOptions),
+}
+
+#[derive(Args)]
+pub(crate) struct SweepPlotOptions {
+    /// The table of runs, .csv
+    #[arg(value_name = "TABLE")]
+    pub(crate) table: PathBuf,
+    /// File to write, .svg or .png
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    /// What is on the x axis: a key that was varied, or the end of its name: model.bee.count, count, seed
+    #[arg(long, value_name = "KEY")]
+    pub(crate) x: String,
+    /// What is on the y axis: a number of the table, with or without its unit; may be given many times: those
+    /// of one unit are drawn together
+    #[arg(long, value_name = "NAME", required = true)]
+    pub(crate) metric: Vec<String>,
+    /// A colour for each value of this key [default: its runs are taken together]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
+    /// What stands above it
+    #[arg(long)]
+    pub(crate) title: Option<String>,
+    /// Its width in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 1000, value_parser = pixels)]
+    pub(crate) width: u32,
+    /// Its height in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 700, value_parser = pixels)]
+    pub(crate) height: u32,
 }
 
 /// What all pictures have.
@@ -311,8 +354,9 @@ fn pixels(text: &str) -> Result<u32, String> {
 }
 
 impl Plot {
-    pub(super) fn options(&self) -> &PlotOptions {
-        match self {
+    /// What all pictures of recordings have; `None` of a picture of a table.
+    pub(super) fn options(&self) -> Option<&PlotOptions> {
+        Some(match self {
             Self::Traces(options) => &options.plot,
             Self::Series(options) => &options.plot,
             Self::Histogram(options) => &options.plot,
@@ -320,7 +364,8 @@ impl Plot {
             Self::Links(options) => &options.plot,
             Self::Delivery(options) | Self::Rssi(options) => &options.plot,
             Self::Losses(options) => &options.plot,
-        }
+            Self::Sweep(_) => return None,
+        })
     }
 }
 

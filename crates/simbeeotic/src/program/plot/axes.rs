@@ -2,6 +2,7 @@
 
 use super::sheet::{AXIS, Anchor, GRID, NORMAL, SMALL, Sheet, TEXT};
 use simbeeotic_units::math;
+use simbeeotic_view::render::words;
 
 /// One axis: what it shows, from where to where, and a tick every `step`.
 #[derive(Clone, Debug)]
@@ -12,6 +13,8 @@ pub(crate) struct Axis {
     pub(crate) step: f64,
     /// Whether equal lengths are equal ratios, not equal differences.
     pub(crate) scale: Scale,
+    /// Words for the ticks 0, 1, ..., if they are no numbers.
+    names: Vec<String>,
 }
 
 /// What equal lengths on an axis are.
@@ -39,6 +42,19 @@ impl Axis {
             high,
             step: nice((high - low) / ticks),
             scale: Scale::Linear,
+            names: Vec::new(),
+        }
+    }
+
+    /// Words, each in the middle of a room of its own of width one.
+    pub(crate) fn named(label: impl Into<String>, names: Vec<String>) -> Self {
+        Self {
+            label: label.into(),
+            low: -0.5,
+            high: names.len().max(1) as f64 - 0.5,
+            step: 1.0,
+            scale: Scale::Linear,
+            names,
         }
     }
 
@@ -59,6 +75,7 @@ impl Axis {
             high,
             step: 0.0,
             scale,
+            names: Vec::new(),
         }
     }
 
@@ -74,6 +91,10 @@ impl Axis {
     /// The ticks with their numbers.
     pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         let small = 1e-9;
+        if !self.names.is_empty() {
+            let names = self.names.iter().enumerate();
+            return names.map(|(at, name)| (at as f64, name.clone())).collect();
+        }
         if self.scale != Scale::Linear {
             return self.log_ticks();
         }
@@ -188,6 +209,17 @@ impl Panel {
         ]
     }
 
+    /// The size of a word below the x axis: words of a named axis keep to their room.
+    fn tick_size(&self, text: &str) -> f64 {
+        let rooms = self.x.names.len();
+        if rooms == 0 {
+            return SMALL;
+        }
+        let [left, _, right, _] = self.edges;
+        let room = 0.94 * (right - left) / rooms as f64;
+        SMALL.min(SMALL * room / words::width(text, SMALL).max(1.0))
+    }
+
     /// Draws grid, axes and numbers; those below only if `below`.
     pub(crate) fn draw(&self, sheet: &mut Sheet, below: bool) {
         let [left, top, right, bottom] = self.edges;
@@ -196,7 +228,8 @@ impl Panel {
             sheet.line(vec![[x, top], [x, bottom]], GRID, 1.0);
             if below {
                 sheet.line(vec![[x, bottom], [x, bottom + 5.0]], AXIS, 1.0);
-                sheet.words([x, bottom + 22.0], text, SMALL, Anchor::Middle, TEXT);
+                let size = self.tick_size(&text);
+                sheet.words([x, bottom + 22.0], text, size, Anchor::Middle, TEXT);
             }
         }
         for (value, text) in self.y.ticks() {

@@ -87,10 +87,10 @@ impl Chart {
         panel.draw(&mut sheet, true);
         self.rules(&mut sheet, &panel);
         for curve in &self.curves {
-            spread(&mut sheet, &panel, curve);
+            curve_spread(&mut sheet, &panel, curve);
         }
         for curve in &self.curves {
-            draw(&mut sheet, &panel, curve);
+            curve_line(&mut sheet, &panel, curve);
         }
         self.key(&mut sheet, &panel);
         for (at, note) in self.notes.iter().enumerate() {
@@ -143,7 +143,7 @@ impl Chart {
             if let Some(line) = curve.line {
                 sheet.line(vec![[x, y], [x + 26.0, y]], curve.ink, line);
             }
-            mark(sheet, curve, [x + 13.0, y]);
+            curve_mark(sheet, curve.marker, curve.ink, [x + 13.0, y]);
             sheet.words(
                 [x + 36.0, y + 5.0],
                 curve.name.as_str(),
@@ -155,16 +155,28 @@ impl Chart {
     }
 }
 
-/// The range that a curve's points were found in, as a band, or as bars where there is no line.
-fn spread(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+/// The lower and the upper end of what a curve's points were found in.
+fn ends(panel: &Panel, curve: &Curve) -> Vec<[[f64; 2]; 2]> {
     let ends = curve.points.iter().zip(&curve.spread);
-    let ends: Vec<[[f64; 2]; 2]> = ends
-        .map(|([x, _], ends)| ends.map(|y| panel.place(*x, y)))
-        .collect();
-    if curve.line.is_some() && ends.len() > 1 {
+    ends.map(|([x, _], ends)| ends.map(|y| panel.place(*x, y)))
+        .collect()
+}
+
+/// The range that a curve's points were found in, as a band.
+pub(crate) fn curve_band(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+    let ends = ends(panel, curve);
+    if ends.len() > 1 {
         let lower = ends.iter().map(|[low, _]| *low);
         let upper = ends.iter().rev().map(|[_, high]| *high);
         sheet.area(lower.chain(upper).collect(), curve.ink.thin(0.15));
+    }
+}
+
+/// The range that a curve's points were found in, as a band, or as bars where there is no line.
+pub(crate) fn curve_spread(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+    let ends = ends(panel, curve);
+    if curve.line.is_some() {
+        curve_band(sheet, panel, curve);
     }
     for [low, high] in ends {
         if (low[1] - high[1]).abs() < 1.0 {
@@ -177,7 +189,8 @@ fn spread(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
     }
 }
 
-fn draw(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+/// A curve's points, and the line through them.
+pub(crate) fn curve_line(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
     let places: Vec<_> = (curve.points.iter())
         .map(|[x, y]| panel.place(*x, *y))
         .collect();
@@ -185,18 +198,19 @@ fn draw(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
         sheet.line(places.clone(), curve.ink, line);
     }
     for place in places {
-        mark(sheet, curve, place);
+        curve_mark(sheet, curve.marker, curve.ink, place);
     }
 }
 
-fn mark(sheet: &mut Sheet, curve: &Curve, [x, y]: [f64; 2]) {
-    match curve.marker {
-        Marker::Disc => sheet.disc([x, y], 4.4, curve.ink, 1.0),
-        Marker::Square => sheet.rectangle([x - 4.0, y - 4.0], [x + 4.0, y + 4.0], curve.ink),
+/// What stands at a point.
+pub(crate) fn curve_mark(sheet: &mut Sheet, marker: Marker, ink: Ink, [x, y]: [f64; 2]) {
+    match marker {
+        Marker::Disc => sheet.disc([x, y], 4.4, ink, 1.0),
+        Marker::Square => sheet.rectangle([x - 4.0, y - 4.0], [x + 4.0, y + 4.0], ink),
         Marker::Diamond => {
             let r = 7.5;
             let corners = vec![[x - r, y], [x, y - r], [x + r, y], [x, y + r]];
-            sheet.area(corners, curve.ink);
+            sheet.area(corners, ink);
         }
     }
 }

@@ -22,9 +22,11 @@ mod links;
 mod losses;
 mod map;
 mod names;
+mod over;
 pub(super) mod palette;
 mod png;
 mod quantity;
+mod runs;
 mod series;
 pub(super) mod sheet;
 mod solid;
@@ -36,7 +38,7 @@ mod traces;
 
 pub(super) use arguments::{BandKind, PLOT_EXAMPLES, Plot};
 
-use super::{Failure, remark};
+use super::{Failure, remark, same_file};
 use sheet::Sheet;
 use simbeeotic_record::publish;
 use source::Sources;
@@ -81,7 +83,16 @@ pub(super) fn save(sheet: &Sheet, output: &Path, format: Format) -> Result<(), F
 
 /// Draws it.
 pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
-    let options = what.options();
+    if let Plot::Sweep(options) = what {
+        let format = Format::of(&options.output)?;
+        if same_file(&options.table, &options.output) {
+            return Err(Failure::input("--output: this is the table itself"));
+        }
+        return save(&over::over(options)?, &options.output, format);
+    }
+    let Some(options) = what.options() else {
+        return Ok(());
+    };
     let format = Format::of(&options.output)?;
     let sources = Sources::open(options)?;
     let sheet = match what {
@@ -93,6 +104,7 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
         Plot::Delivery(options) => delivery::delivery(&sources, options),
         Plot::Rssi(options) => delivery::rssi(&sources, options),
         Plot::Losses(options) => losses::losses(&sources, options),
+        Plot::Sweep(options) => over::over(options),
     }?;
     save(&sheet, &options.output, format)
 }

@@ -79,7 +79,7 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
         .check()
         .map_err(|rejected| Failure::input(input::text_of(&rejected)))?;
     if options.dry_run {
-        return say(report::listed(sweep));
+        return say(report::listed(sweep).trim_end());
     }
     outputs::check_runs(
         &options.scenario,
