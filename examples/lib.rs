@@ -14,6 +14,7 @@ pub mod broadcast;
 pub mod corridor;
 pub mod drop;
 pub mod flocking;
+pub mod gradient;
 pub mod plume;
 pub mod random_walk;
 pub mod wind;

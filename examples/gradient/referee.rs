@@ -1,0 +1,159 @@
+//! A referee: it sees where the bees truly are, and measures.
+
+use super::paths::Paths;
+use simbeeotic::prelude::*;
+
+/// Sees where bees truly are, counts their trips and measures how far off their path they fly. It takes no
+/// part in the flight.
+///
+/// A trip is out to the end of a path and back to the hive, both within `reach`. It publishes, at each of its
+/// looks and over all bees: `trips`; `trips/least`, those by the path that was taken least; `trip/time`, the
+/// mean time of a trip; `deviation`, the mean distance to the nearest path, now; `deviation/mean`,
+/// `deviation/max` since the start; `lost`, the share outside of the field now; `lost/mean`, since the start.
+#[behavior("gradient-referee", host = Bodiless)]
+pub struct GradientReferee {
+    params: GradientRefereeParams,
+    paths: Paths,
+    flights: Vec<Flight>,
+    trips: Vec<u32>,
+    trip_time: Time,
+    looks: u32,
+    deviation: [f64; 2],
+    lost: f64,
+}
+
+/// Parameters of [`GradientReferee`].
+#[params]
+pub struct GradientRefereeParams {
+    /// The same paths as the beacons have.
+    pub paths: Vec<String>,
+    /// Whom it watches: models of this kind.
+    pub kind: String,
+    /// How near the hive, or a path's end, counts as there. Above 0 m.
+    pub reach: Length,
+    /// Side of the field, a square around the first path's beginning. Above 0 m.
+    pub side: Length,
+    /// Time between two looks.
+    pub period: Time,
+}
+
+impl Default for GradientRefereeParams {
+    fn default() -> Self {
+        Self {
+            paths: vec!["0 m, 0 m; 50 m, 0 m".to_owned()],
+            kind: "gradient-bee".to_owned(),
+            reach: Length::si(10.0),
+            side: Length::si(120.0),
+            period: Time::from_millis(500.0),
+        }
+    }
+}
+
+/// What a bee has done since it was last in the hive.
+struct Flight {
+    bee: ModelId,
+    /// When it was last in the hive.
+    left: SimTime,
+    /// The path whose end it has reached since then.
+    reached: Option<usize>,
+}
+
+impl Behavior<Bodiless> for GradientReferee {
+    type Params = GradientRefereeParams;
+
+    fn build(
+        params: GradientRefereeParams,
+        kit: &mut Kit<Self, Bodiless>,
+    ) -> Result<Self, BuildError> {
+        positive("reach", params.reach)?;
+        positive("side", params.side)?;
+        positive("period", params.period)?;
+        let paths = Paths::read("paths", &params.paths)?;
+        kit.once(Time::ZERO, Self::gather);
+        kit.every_from(params.period, params.period, Self::look);
+        Ok(Self {
+            trips: vec![0; paths.ends().count()],
+            paths,
+            flights: Vec::new(),
+            trip_time: Time::ZERO,
+            looks: 0,
+            deviation: [0.0; 2],
+            lost: 0.0,
+            params,
+        })
+    }
+}
+
+impl GradientReferee {
+    /// Finds the bees.
+    fn gather(&mut self, cx: &mut Cx<'_>) {
+        let flight = |bee: &ModelId| Flight {
+            bee: *bee,
+            left: SimTime::ZERO,
+            reached: None,
+        };
+        self.flights = cx
+            .population()
+            .of_kind(&self.params.kind)
+            .iter()
+            .map(flight)
+            .collect();
+        if self.flights.is_empty() {
+            cx.fault(format!("there is no `{}` to watch", self.params.kind));
+        }
+    }
+
+    fn look(&mut self, cx: &mut Cx<'_>) {
+        let (mut off, mut lost) = (0.0, 0.0);
+        for at in 0..self.flights.len() {
+            let Some(pose) = cx.pose_of(self.flights[at].bee) else {
+                continue;
+            };
+            let beside = self.paths.beside(pose.position);
+            off += beside.across.metres();
+            self.deviation[1] = self.deviation[1].max(beside.across.metres());
+            lost += f64::from(u8::from(self.is_outside(pose.position)));
+            self.follow(at, pose.position, cx.now());
+        }
+        let bees = self.flights.len() as f64;
+        self.looks += 1;
+        self.deviation[0] += off / bees;
+        self.lost += lost / bees;
+        let trips: u32 = self.trips.iter().sum();
+        let least = self.trips.iter().min().copied().unwrap_or(0);
+        let looks = f64::from(self.looks);
+        cx.metric("trips", f64::from(trips), "1");
+        cx.metric("trips/least", f64::from(least), "1");
+        if trips > 0 {
+            cx.metric("trip/time", self.trip_time.secs() / f64::from(trips), "s");
+        }
+        cx.metric("deviation", off / bees, "m");
+        cx.metric("deviation/mean", self.deviation[0] / looks, "m");
+        cx.metric("deviation/max", self.deviation[1], "m");
+        cx.metric("lost", lost / bees, "1");
+        cx.metric("lost/mean", self.lost / looks, "1");
+    }
+
+    /// Keeps the books of one bee's trips.
+    fn follow(&mut self, at: usize, place: Position, now: SimTime) {
+        let near = |goal: Position| {
+            let way = (place - goal).si();
+            way.truncate().length() <= self.params.reach.metres()
+        };
+        let flight = &mut self.flights[at];
+        if near(self.paths.hive()) {
+            if let Some(path) = flight.reached.take() {
+                self.trips[path] += 1;
+                self.trip_time += now - flight.left;
+                flight.left = now;
+            }
+        } else if flight.reached.is_none() {
+            flight.reached = self.paths.ends().position(near);
+        }
+    }
+
+    fn is_outside(&self, place: Position) -> bool {
+        let way = (place - self.paths.hive()).si();
+        way.x.abs().max(way.y.abs()) > 0.5 * self.params.side.metres()
+    }
+}
