@@ -15,6 +15,7 @@ pub mod corridor;
 pub mod drop;
 pub mod flocking;
 pub mod gradient;
+pub mod hive;
 pub mod plume;
 pub mod random_walk;
 pub mod wind;

@@ -1,0 +1,249 @@
+//! The referee: what the swarm did, as truth. Nobody of the swarm hears of it.
+
+use super::cells::Cells;
+use simbeeotic::prelude::*;
+use simbeeotic::units::glam::{DVec2, DVec3};
+use simbeeotic::world::{ObjectId, ObjectKind};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Watches the swarm and publishes what it achieved.
+///
+/// | metric | what |
+/// |---|---|
+/// | `coverage` | share of cells of which three quarters or more were within a flower detector's reach |
+/// | `flowers/seen` | flowers that a detector of a MAV has noticed |
+/// | `flowers/served` | flowers beside which a MAV stayed for the time `stay` |
+/// | `energy/flower` | J that all batteries gave, for each flower served |
+/// | `lost` | MAVs that have lain away from a hive for half a minute |
+/// | `idle` | mean time for which a MAV was charged and had nothing to do, s |
+#[behavior("search-referee", host = Bodiless)]
+pub struct SearchReferee {
+    params: SearchRefereeParams,
+    /// The parts of cells that are told apart.
+    fine: Cells,
+    cells: Cells,
+    seen_parts: Vec<bool>,
+    /// Parts seen of each cell.
+    parts: Vec<u8>,
+    searched: usize,
+    seen: BTreeSet<ObjectId>,
+    served: BTreeSet<ObjectId>,
+    /// Who stays beside which flowers, for how many looks.
+    stays: BTreeMap<ModelId, Vec<(ObjectId, u32)>>,
+    down: BTreeMap<ModelId, u32>,
+    books: BTreeMap<ModelId, Books>,
+}
+
+/// Parameters of [`SearchReferee`].
+#[params]
+pub struct SearchRefereeParams {
+    /// Edge of the square around the origin whose coverage is told.
+    pub field: Length,
+    /// Edge of a cell.
+    pub cell: Length,
+    /// How far to each side a detector sees the ground, from the height of a search.
+    pub swath: Length,
+    /// A MAV searches no higher than this.
+    pub ceiling: Length,
+    /// So near a flower, from middle to its parts, it is served.
+    pub reach: Length,
+    /// For so long.
+    pub stay: Time,
+    /// So near a hive a MAV may lie.
+    pub home: Length,
+    /// Time between two looks.
+    pub period: Time,
+}
+
+impl Default for SearchRefereeParams {
+    fn default() -> Self {
+        Self {
+            field: Length::si(200.0),
+            cell: Length::si(10.0),
+            swath: Length::si(2.9),
+            ceiling: Length::si(5.0),
+            reach: Length::si(0.5),
+            stay: Time::si(2.0),
+            home: Length::si(8.0),
+            period: Time::si(0.5),
+        }
+    }
+}
+
+/// What a MAV's own instruments say, for the books: told to the referee alone.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Books {
+    pub(crate) energy_j: f64,
+    pub(crate) idle_s: f64,
+}
+
+/// Flowers that a detector has noticed.
+#[derive(Clone, Debug)]
+pub(crate) struct Noticed(pub(crate) Vec<ObjectId>);
+
+/// Parts along the edge of a cell.
+const PARTS: u32 = 4;
+/// So many parts of a cell are a cell.
+const ENOUGH: u8 = 12;
+/// Lower and slower than this, for so long: it is not coming back.
+const DOWN_M: f64 = 0.3;
+const REST_M_S: f64 = 0.02;
+const DOWN_S: f64 = 30.0;
+/// No flower is higher than this, with the reach.
+const LOW_M: f64 = 1.5;
+
+impl Behavior<Bodiless> for SearchReferee {
+    type Params = SearchRefereeParams;
+
+    fn build(
+        params: SearchRefereeParams,
+        kit: &mut Kit<Self, Bodiless>,
+    ) -> Result<Self, BuildError> {
+        positive("field", params.field)?;
+        positive("cell", params.cell)?;
+        positive("swath", params.swath)?;
+        positive("ceiling", params.ceiling)?;
+        positive("reach", params.reach)?;
+        positive("stay", params.stay)?;
+        positive("home", params.home)?;
+        positive("period", params.period)?;
+        kit.every(params.period, Self::watch);
+        kit.every(Time::si(10.0), Self::publish);
+        let cells = Cells::around(DVec2::ZERO, params.field.metres(), params.cell.metres());
+        let fine = cells.finer(PARTS);
+        Ok(Self {
+            params,
+            seen_parts: vec![false; fine.count()],
+            parts: vec![0; cells.count()],
+            fine,
+            cells,
+            searched: 0,
+            seen: BTreeSet::new(),
+            served: BTreeSet::new(),
+            stays: BTreeMap::new(),
+            down: BTreeMap::new(),
+            books: BTreeMap::new(),
+        })
+    }
+
+    fn on_message(&mut self, message: &Message, _: &mut Cx<'_>) {
+        if let Some(Noticed(flowers)) = message.get() {
+            self.seen.extend(flowers);
+        } else if let Some(books) = message.get::<Books>() {
+            self.books.insert(message.sender, *books);
+        }
+    }
+
+    fn on_finish(&mut self, cx: &mut Cx<'_>) {
+        self.publish(cx);
+    }
+}
+
+impl SearchReferee {
+    fn watch(&mut self, cx: &mut Cx<'_>) {
+        let mavs = cx.population().of_kind("search-mav").to_vec();
+        let hives = cx.population().of_kind("search-hive").iter();
+        let hives: Vec<DVec2> = hives
+            .filter_map(|id| Some(cx.pose_of(*id)?.position.si().truncate()))
+            .collect();
+        for id in mavs {
+            let (Some(pose), Some(twist)) = (cx.pose_of(id), cx.twist_of(id)) else {
+                continue;
+            };
+            let (place, speed_m_s) = (pose.position.si(), twist.linear.si().length());
+            self.look_down(place);
+            self.mind(id, place, speed_m_s, &hives);
+            if place.z < LOW_M && speed_m_s > 1e-6 {
+                self.attend(id, pose, cx);
+            } else {
+                self.stays.remove(&id);
+            }
+        }
+    }
+
+    /// Marks what a MAV at this place can see of the ground.
+    fn look_down(&mut self, place: DVec3) {
+        if place.z > self.params.ceiling.metres() || place.z < LOW_M {
+            return;
+        }
+        let (at, swath_m) = (place.truncate(), self.params.swath.metres());
+        let size_m = self.fine.size_m();
+        let reach = (swath_m / size_m).ceil() as i32;
+        for step in (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| (x, y))) {
+            let near = at + DVec2::new(f64::from(step.0), f64::from(step.1)) * size_m;
+            let Some(part) = self.fine.index_at(near) else {
+                continue;
+            };
+            let middle = self.fine.middle_of(part);
+            if self.seen_parts[part] || middle.distance(at) > swath_m {
+                continue;
+            }
+            self.seen_parts[part] = true;
+            if let Some(cell) = self.cells.index_at(middle) {
+                self.parts[cell] += 1;
+                self.searched += usize::from(self.parts[cell] == ENOUGH);
+            }
+        }
+    }
+
+    /// Counts for how long one lies where it should not.
+    fn mind(&mut self, id: ModelId, place: DVec3, speed_m_s: f64, hives: &[DVec2]) {
+        let home_m = self.params.home.metres();
+        let away = |hive: &DVec2| hive.distance(place.truncate()) > home_m;
+        if place.z < DOWN_M && speed_m_s < REST_M_S && hives.iter().all(away) {
+            *self.down.entry(id).or_default() += 1;
+        } else {
+            self.down.remove(&id);
+        }
+    }
+
+    /// Finds the flowers beside a MAV that is low.
+    fn attend(&mut self, id: ModelId, pose: Pose, cx: &mut Cx<'_>) {
+        let ball = Shape::Sphere {
+            radius_m: self.params.reach.metres(),
+        };
+        let beside: BTreeSet<ObjectId> = cx
+            .overlapping(&ball, pose)
+            .into_iter()
+            .filter_map(Thing::object)
+            .filter(|object| object.kind == ObjectKind::Flower)
+            .collect();
+        let before = self.stays.remove(&id).unwrap_or_default();
+        let looks = |object: &ObjectId| {
+            let known = before.iter().find(|(at, _)| at == object);
+            known.map_or(1, |(_, looks)| looks + 1)
+        };
+        let stays: Vec<(ObjectId, u32)> = beside.iter().map(|o| (*o, looks(o))).collect();
+        let enough = (self.params.stay.get() / self.params.period.get()).ceil() as u32 + 1;
+        let served = stays.iter().filter(|(_, looks)| *looks >= enough);
+        self.served.extend(served.map(|(object, _)| *object));
+        if !stays.is_empty() {
+            self.stays.insert(id, stays);
+        }
+    }
+
+    fn publish(&mut self, cx: &mut Cx<'_>) {
+        let down_for = (DOWN_S / self.params.period.get()) as u32;
+        let lost = self
+            .down
+            .values()
+            .filter(|looks| **looks >= down_for)
+            .count();
+        let energy_j: f64 = self.books.values().map(|books| books.energy_j).sum();
+        let idle_s: f64 = self.books.values().map(|books| books.idle_s).sum();
+        let served = self.served.len() as f64;
+        cx.metric(
+            "coverage",
+            self.searched as f64 / self.cells.count() as f64,
+            "1",
+        );
+        cx.metric("flowers/seen", self.seen.len() as f64, "1");
+        cx.metric("flowers/served", served, "1");
+        cx.metric("lost", lost as f64, "1");
+        cx.metric("idle", idle_s / self.books.len().max(1) as f64, "s");
+        cx.metric("energy/spent", energy_j, "J");
+        if served > 0.0 {
+            cx.metric("energy/flower", energy_j / served, "J");
+        }
+    }
+}
