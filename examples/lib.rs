@@ -19,4 +19,5 @@ pub mod hive;
 pub mod office;
 pub mod plume;
 pub mod random_walk;
+pub mod relay;
 pub mod wind;
