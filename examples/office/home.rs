@@ -74,8 +74,8 @@ impl Beacon {
     }
 }
 
-/// Notes which rooms an [`Explorer`](super::Explorer) has been in: those places of the world whose names begin with `room`. It
-/// publishes `rooms`, and takes no part.
+/// Notes which rooms an [`Explorer`](super::Explorer) has been in: those places of the world whose names
+/// begin with `room`. It publishes `rooms`, and takes no part.
 #[behavior("office-referee", host = Bodiless)]
 pub struct Referee {
     visited: BTreeSet<usize>,

@@ -22,11 +22,11 @@
 //!
 //! Source: K. N. McGuire, C. De Wagter, K. Tuyls, H. J. Kappen and G. C. H. E. de Croon, *Minimal
 //! navigation solution for a swarm of tiny flying robots to explore an unknown environment*, Science
-//! Robotics 4 (2019) eaaw9710; the paper was not at hand, the authors' code was
-//! (`tudelft/gradient_bug` on GitHub). From there: the states and what leads from one to the next, the check for loops, priorities and
-//! mirrored directions, the points for eight directions. Other than there: a ring of 24 range finders in
-//! place of four; the mean direction is taken along the whole way and not along walls only; doors are
-//! entered on purpose from outside, and who comes out of the entrance turns round.
+//! Robotics 4 (2019) eaaw9710; the paper was not at hand, the authors' code was (`tudelft/gradient_bug` on
+//! GitHub). From there: the states and what leads from one to the next, the check for loops, priorities
+//! and mirrored directions, the points for eight directions. Other than there: a ring of 24 range finders
+//! in place of four; the gradient is taken along the whole way and not along walls only, and is kept when
+//! a wall is met; who comes out of the entrance turns round. All numbers are this example's.
 
 mod explorer;
 mod gradient;

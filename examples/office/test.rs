@@ -48,10 +48,15 @@ fn the_swarm_visits_three_quarters_of_the_rooms_and_finds_the_people() {
 fn about_half_come_home_by_the_beacon_and_no_one_by_a_beacon_that_nobody_hears() {
     let home: Vec<f64> = AS_IT_STANDS.iter().map(|run| run.returned).collect();
     assert!(home.iter().sum::<f64>() >= 15.0, "{home:?}");
-    let deaf = office().set("channel.range_limit", "\"1 m\"").run();
+    let early = office()
+        .set("model.bee.params.turn_home", "\"60 s\"")
+        .set("run.end_time", "\"150 s\"");
+    let heard = came(&early.run().unwrap_or_else(|e| panic!("{e}")));
+    let deaf = early.set("channel.range_limit", "\"1 m\"").run();
     let deaf = deaf.unwrap_or_else(|e| panic!("{e}"));
     let deaf = came(&deaf);
     assert!(deaf.returned == 0.0 && deaf.found == 0.0, "{deaf:?}");
+    assert!(heard.returned > 0.0 && heard.found > 0.0, "{heard:?}");
 }
 
 #[test]
