@@ -16,6 +16,7 @@ pub mod drop;
 pub mod flocking;
 pub mod gradient;
 pub mod hive;
+pub mod looping;
 pub mod mine;
 pub mod office;
 pub mod plume;
