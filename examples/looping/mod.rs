@@ -11,7 +11,7 @@
 use simbeeotic::prelude::*;
 
 /// A referee that publishes how wide the swarm is, as `spread`: the root of the mean squared distance of its
-/// bees from their middle, in 3-D. It knows the truth, and nobody hears of it.
+/// bees from their middle, seen from above. It knows the truth, and nobody hears of it.
 #[behavior("swarm-ruler", host = Bodiless)]
 pub struct SwarmRuler;
 
@@ -49,7 +49,7 @@ impl SwarmRuler {
     }
 }
 
-/// The root of the mean squared distance of places from their middle.
+/// The root of the mean squared distance of places from their middle, seen from above.
 fn spread_m(places: &[[f64; 3]]) -> f64 {
     let count = places.len() as f64;
     let variance = |axis: usize| {
@@ -59,7 +59,7 @@ fn spread_m(places: &[[f64; 3]]) -> f64 {
             .map(|place| (place[axis] - middle) * (place[axis] - middle));
         squares.sum::<f64>() / count
     };
-    (variance(0) + variance(1) + variance(2)).sqrt()
+    (variance(0) + variance(1)).sqrt()
 }
 
 #[cfg(test)]

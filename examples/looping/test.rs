@@ -32,7 +32,7 @@ fn who_turns_more_stays_nearer_at_either_pace() {
 
 #[test]
 fn twice_the_pace_spreads_wider_and_more_bees_do_not() {
-    let [(slow, a), (fast, b)] = [1, 2].map(|pace| spread("0.2 rad", pace, 40));
+    let [(slow, a), (fast, b)] = [1, 2].map(|pace| spread("0.05 rad", pace, 60));
     assert!(fast - b > slow + a, "{slow} and {fast} m");
     let [(few, a), (many, b)] = [20, 60].map(|count| spread("0.2 rad", 1, count));
     assert!((few - many).abs() < a + b, "{few} and {many} m");
@@ -63,7 +63,7 @@ fn the_sweep_has_every_combination_with_every_seed() {
 fn the_ruler_measures_known_swarms() {
     let corners = [
         [1.0, 0.0, 5.0],
-        [-1.0, 0.0, 5.0],
+        [-1.0, 0.0, 3.0],
         [0.0, 1.0, 5.0],
         [0.0, -1.0, 5.0],
     ];

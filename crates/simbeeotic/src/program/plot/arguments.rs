@@ -65,7 +65,7 @@ Examples:
 const SWEEP_EXAMPLES: &str = "\
 A key whose values are numbers of one unit is an axis of numbers: a line through the means, with a band where they
 are with 95 % confidence. All others are words beside each other, with bars. Runs that differ in a key that is
-neither --x nor --by are taken together, as those of several seeds are.
+neither --x nor --by are taken together; the band is of the means of seeds.
 
 Examples:
   simbeeotic sweep scenarios/first-swarm.toml --seeds 10 --vary \"model.bee.count=50..200 step 50\"

@@ -25,7 +25,37 @@ struct Line {
     colour: usize,
     marker: usize,
     /// Place on the x axis, and what the runs there came to.
-    points: Vec<(f64, Vec<f64>)>,
+    points: Vec<(f64, Numbers)>,
+}
+
+/// What runs at one place came to.
+struct Numbers {
+    /// Each run.
+    runs: Vec<f64>,
+    /// What their mean is of: the mean of each seed, since runs of one seed have their chance in common; of
+    /// one seed its runs.
+    units: Vec<f64>,
+}
+
+impl Numbers {
+    fn of(runs: &[(&str, f64)]) -> Self {
+        let mut seeds: Vec<(&str, Vec<f64>)> = Vec::new();
+        for (seed, number) in runs {
+            match seeds.iter_mut().find(|(other, _)| other == seed) {
+                Some((_, numbers)) => numbers.push(*number),
+                None => seeds.push((seed, vec![*number])),
+            }
+        }
+        let runs: Vec<f64> = runs.iter().map(|(_, number)| *number).collect();
+        let units = match seeds.len() {
+            1 => runs.clone(),
+            _ => seeds
+                .iter()
+                .filter_map(|(_, numbers)| mean(numbers))
+                .collect(),
+        };
+        Self { runs, units }
+    }
 }
 
 /// Metrics of one unit.
@@ -85,7 +115,7 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
                 }
                 (None, _) => metric.base().to_owned(),
             };
-            (at, name, points(rows, &x, &values, metric))
+            (at, name, points(rows, &runs, &x, &values, metric))
         });
         let lines: Vec<_> = lines.collect();
         let unit = metric.unit();
@@ -140,27 +170,29 @@ fn short(key: &str) -> &str {
 /// What the runs at each place of the x axis came to.
 fn points<'a>(
     rows: impl Iterator<Item = &'a Vec<String>>,
+    runs: &Runs,
     x: &Column,
     values: &Values,
     metric: &Column,
-) -> Vec<(f64, Vec<f64>)> {
-    let mut points: Vec<(f64, Vec<f64>)> = Vec::new();
+) -> Vec<(f64, Numbers)> {
+    let mut points: Vec<(f64, Vec<(&str, f64)>)> = Vec::new();
     for row in rows {
         let place = values.place(&row[x.place]);
-        let number = row[metric.place]
-            .parse::<f64>()
-            .ok()
-            .filter(|n| n.is_finite());
-        let (Some(place), Some(number)) = (place, number) else {
+        let number = row[metric.place].parse::<f64>().ok();
+        let (Some(place), Some(number)) = (place, number.filter(|n| n.is_finite())) else {
             continue;
         };
+        let run = (runs.seed(row), number);
         match points.iter_mut().find(|(other, _)| *other == place) {
-            Some((_, numbers)) => numbers.push(number),
-            None => points.push((place, vec![number])),
+            Some((_, numbers)) => numbers.push(run),
+            None => points.push((place, vec![run])),
         }
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    points
+    let numbers = points
+        .iter()
+        .map(|(place, runs)| (*place, Numbers::of(runs)));
+    numbers.collect()
 }
 
 fn x_axis(x: &Column, values: &Values) -> Axis {
@@ -171,7 +203,7 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
                 unit => format!("{}, {unit}", x.name),
             };
             let margin = 0.03 * (high - low);
-            Axis::exact(label, low - margin, high + margin, 8.0)
+            Axis::exact(label, low - margin, high + margin, 10.0)
         }
         Values::Words(names) => Axis::named(x.name.as_str(), names.clone()),
     }
@@ -180,8 +212,8 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
 fn y_axis(part: &Part, bars: bool) -> Axis {
     let all = || part.lines.iter().flat_map(|line| &line.points);
     let ends = all().flat_map(|(_, numbers)| {
-        let [_, ends] = estimate(numbers);
-        numbers.iter().copied().chain(ends).collect::<Vec<_>>()
+        let [_, ends] = estimate(&numbers.units);
+        numbers.runs.iter().copied().chain(ends).collect::<Vec<_>>()
     });
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for end in ends {
@@ -253,7 +285,10 @@ fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
             } else {
                 0.0
             };
-            let estimates = line.points.iter().map(|(_, numbers)| estimate(numbers));
+            let estimates = line
+                .points
+                .iter()
+                .map(|(_, numbers)| estimate(&numbers.units));
             let (means, spread): (Vec<_>, Vec<_>) = estimates.map(|[m, ends]| (m[0], ends)).unzip();
             let places = line.points.iter().map(|(x, _)| x + shift);
             let curve = Curve {
@@ -283,7 +318,7 @@ fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
     }
     for (curve, line) in &curves {
         for ([x, _], (_, numbers)) in curve.points.iter().zip(&line.points) {
-            for number in numbers.iter().filter(|_| numbers.len() > 1) {
+            for number in numbers.runs.iter().filter(|_| numbers.runs.len() > 1) {
                 sheet.disc(panel.place(*x, *number), 2.4, curve.ink.thin(0.45), 0.0);
             }
         }
@@ -308,15 +343,12 @@ fn key(sheet: &mut Sheet, panel: &Panel, part: &Part) {
 /// How many runs there are, and what the band is.
 fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part]) -> String {
     let points = || {
-        parts
-            .iter()
-            .flat_map(|part| &part.lines)
-            .flat_map(|line| &line.points)
+        let lines = parts.iter().flat_map(|part| &part.lines);
+        lines.flat_map(|line| &line.points)
     };
-    let counts = || points().map(|(_, numbers)| numbers.len());
+    let counts = || points().map(|(_, numbers)| numbers.units.len());
     let (least, most) = (counts().min().unwrap_or(0), counts().max().unwrap_or(0));
-    let total = runs.good().count();
-    let mut text = format!("{total} runs");
+    let mut text = format!("{} runs", runs.good().count());
     let each = match least == most {
         true => most.to_string(),
         false => format!("{least} to {most}"),
@@ -324,14 +356,23 @@ fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part]) -> Stri
     match most {
         0 | 1 => text.push_str("; one at each place, so nothing is known of their spread"),
         _ => {
-            let pooled = runs.pooled(x, by.as_ref());
-            let over = match pooled.as_slice() {
-                [] => String::new(),
-                keys => format!(", over {}", keys.join(", ")),
+            let mut pooled = runs.pooled(x, by.as_ref());
+            let seeds = pooled.iter().position(|key| *key == "seed");
+            let of = match seeds {
+                Some(at) => {
+                    pooled.remove(at);
+                    "seeds"
+                }
+                None => "runs",
+            };
+            let over = match (pooled.as_slice(), seeds) {
+                ([], _) => String::new(),
+                (keys, Some(_)) => format!(", averaged over {}", keys.join(", ")),
+                (keys, None) => format!(", over {}", keys.join(", ")),
             };
             let band = "mean, and where it is with 95 % confidence";
             text.push_str(&format!(
-                ", {each} at each place{over}: {band}; dots: the runs"
+                "; {each} {of} at each place{over}: {band}; dots: the runs"
             ));
         }
     }
@@ -339,4 +380,26 @@ fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part]) -> Stri
         text.push_str(&format!("; {} failed and are left out", runs.failed()));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_of_one_seed_count_once_in_an_interval() {
+        let four = Numbers::of(&[("1", 1.0), ("2", 5.0), ("1", 3.0), ("2", 7.0)]);
+        assert_eq!(four.runs, [1.0, 5.0, 3.0, 7.0]);
+        assert_eq!(four.units, [2.0, 6.0]);
+        let one = Numbers::of(&[("1", 1.0), ("1", 3.0)]);
+        assert_eq!(
+            one.units,
+            [1.0, 3.0],
+            "nothing else is known of their chance"
+        );
+        // s = 2.828, t(1) = 12.706, over the root of two.
+        let [[middle, _], [low, high]] = estimate(&four.units);
+        assert_eq!(middle, 4.0);
+        assert!((high - low - 2.0 * 25.41).abs() < 0.01, "{low} to {high}");
+    }
 }

@@ -16,7 +16,9 @@ pub(super) struct Runs {
     path: PathBuf,
     names: Vec<String>,
     rows: Vec<Vec<String>>,
-    /// The place of the column `trace_hash`.
+    /// The place of the column `seed`.
+    seed: usize,
+    /// That of `trace_hash`.
     trace: usize,
     /// That of `error`.
     error: Option<usize>,
@@ -87,7 +89,7 @@ impl Runs {
         let names = rows.next().unwrap_or_default();
         let rows: Vec<Vec<String>> = rows.collect();
         let of = |wanted: &str| names.iter().position(|name| name == wanted);
-        let Some(trace) = of(TRACE).filter(|_| of("run") == Some(0)) else {
+        let (Some(0), Some(seed), Some(trace)) = (of("run"), of("seed"), of(TRACE)) else {
             return Err(refused("this is no table of runs"));
         };
         if let Some(at) = rows.iter().position(|row| row.len() != names.len()) {
@@ -103,6 +105,7 @@ impl Runs {
             path: path.to_path_buf(),
             names,
             rows,
+            seed,
             trace,
         };
         if runs.good().next().is_none() {
@@ -113,6 +116,11 @@ impl Runs {
 
     fn is_good(&self, row: &[String]) -> bool {
         self.error.is_none_or(|error| row[error].is_empty())
+    }
+
+    /// The seed of a run.
+    pub(super) fn seed<'r>(&self, row: &'r [String]) -> &'r str {
+        row.get(self.seed).map_or("", String::as_str)
     }
 
     /// The runs that came to their end.
