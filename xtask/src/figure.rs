@@ -1,7 +1,8 @@
 //! The paper's Figures 9 and 10: the commands that make them anew, each from a list beside its example.
 //!
 //! A list holds arguments of the program, as a user would type them; `{out}` in them stands for the folder
-//! that recordings and tables go to, `{docs}` for that of the book's pictures.
+//! that recordings and tables go to, `{docs}` for that of the book's pictures, and `*.mcap` at its end for the
+//! recordings of a folder.
 
 use std::path::PathBuf;
 
@@ -41,12 +42,34 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
         std::fs::create_dir_all(repo.path(DOCS))?;
         for arguments in commands(&text, &out).with_context(|| (*list).to_owned())? {
             println!("   simbeeotic {}", arguments.join(" "));
+            let arguments = spread(repo, arguments)?;
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
             program.stdout(&arguments)?;
             run += 1;
         }
     }
     Ok(Report::of(format!("{run} commands; pictures in {DOCS}")))
+}
+
+/// As a shell does: `FOLDER/*.mcap` stands for the recordings in it, in their order.
+fn spread(repo: &Repo, arguments: Vec<String>) -> Result<Vec<String>> {
+    let mut all = Vec::new();
+    for argument in arguments {
+        let Some(folder) = argument.strip_suffix("/*.mcap") else {
+            all.push(argument);
+            continue;
+        };
+        let mut files = Vec::new();
+        for entry in std::fs::read_dir(repo.path(folder)).with_context(|| argument.clone())? {
+            let name = entry?.file_name().to_string_lossy().into_owned();
+            if name.ends_with(".mcap") {
+                files.push(format!("{folder}/{name}"));
+            }
+        }
+        files.sort();
+        all.extend(files);
+    }
+    Ok(all)
 }
 
 /// An empty folder: what an earlier run left would be taken for this one's.
@@ -89,6 +112,19 @@ mod tests {
         let commands = commands(text, "out/figure9").expect("a list");
         assert_eq!(commands[0][3], "out/figure9/a.mcap");
         assert_eq!(commands[1], ["plot", "docs/images/figures/a.svg"]);
+    }
+
+    #[test]
+    fn recordings_of_a_folder_come_in_their_order() {
+        let root = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir(root.path().join("runs")).expect("a folder in it");
+        for name in ["b.mcap", "a.mcap", "c.csv"] {
+            let file = root.path().join("runs").join(name);
+            std::fs::write(file, "").expect("it can be written");
+        }
+        let words = ["plot", "runs/*.mcap", "-o"].map(str::to_owned).to_vec();
+        let spread = spread(&Repo::at(root.path()), words).expect("they are listed");
+        assert_eq!(spread, ["plot", "runs/a.mcap", "runs/b.mcap", "-o"]);
     }
 
     #[test]

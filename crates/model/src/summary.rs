@@ -56,6 +56,19 @@ pub struct Summary {
     pub notes: Vec<Note>,
 }
 
+impl Summary {
+    /// What the models have published under this name, all together. `None` if nobody has.
+    pub fn metric(&self, name: &str) -> Option<&MetricLine> {
+        self.metrics.iter().find(|line| line.name == name)
+    }
+
+    /// The sum of the last values that models have published under this name: the value itself, if one
+    /// model has. 0 if nobody has, as for a count that never began.
+    pub fn total(&self, name: &str) -> f64 {
+        self.metric(name).map_or(0.0, |line| line.sum)
+    }
+}
+
 /// Wall-clock seconds by kind of work. For small instants they are sampled, so they are estimates.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct TimeShares {

@@ -1,7 +1,6 @@
 //! A run in one call, for tests and small programs.
 
 use simbeeotic_model::config::{Fault, Sources};
-use simbeeotic_model::summary::MetricLine;
 use simbeeotic_model::{Setup, SetupError, Simulation, SimulationError, Summary, Tally};
 use simbeeotic_scenario::{Loaded, Rejected, Request, load_file, load_text, render};
 use simbeeotic_units::{Pose, Twist};
@@ -37,17 +36,6 @@ impl Run {
         self.simulation.twist(path)
     }
 
-    /// What the models have published under this name, all together. `None` if nobody has.
-    pub fn metric(&self, name: &str) -> Option<&MetricLine> {
-        self.summary.metrics.iter().find(|line| line.name == name)
-    }
-
-    /// The sum of the last values that models have published under this name: the value itself, if one
-    /// model has. 0 if nobody has, as for a count that never began.
-    pub fn total(&self, name: &str) -> f64 {
-        self.metric(name).map_or(0.0, |line| line.sum)
-    }
-
     /// What the model at `path` has published under this name. `None` if it has not.
     pub fn metric_of(&self, path: &str, name: &str) -> Option<Tally> {
         let model = self.simulation.population().find(path)?;
@@ -62,7 +50,7 @@ impl Run {
     }
 }
 
-/// The summary's fields.
+/// The summary's fields and methods. A clone of the summary outlives the run, and may be shared.
 impl Deref for Run {
     type Target = Summary;
     fn deref(&self) -> &Summary {

@@ -24,7 +24,7 @@ pub struct Cx<'a> {
     pub(crate) out: &'a mut Outbox<Effect>,
 }
 
-impl Cx<'_> {
+impl<'a> Cx<'a> {
     /// The same context for a shorter time.
     #[inline]
     pub fn reborrow(&mut self) -> Cx<'_> {
@@ -56,7 +56,7 @@ impl Cx<'_> {
     }
 
     /// The path of this model: `bee-17`.
-    pub fn path(&self) -> &str {
+    pub fn path(&self) -> &'a str {
         self.swarm.population.path(self.core.id)
     }
 
@@ -79,7 +79,7 @@ impl Cx<'_> {
     }
 
     /// All models of the run.
-    pub fn population(&self) -> &Population {
+    pub fn population(&self) -> &'a Population {
         &self.swarm.population
     }
 
@@ -89,7 +89,7 @@ impl Cx<'_> {
     }
 
     /// The path of a model; empty for an id that is not one.
-    pub fn path_of(&self, id: ModelId) -> &str {
+    pub fn path_of(&self, id: ModelId) -> &'a str {
         self.swarm.population.path(id)
     }
 
