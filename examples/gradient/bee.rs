@@ -59,7 +59,7 @@ impl Default for GradientBeeParams {
             speed: Speed::si(1.5),
             height: Length::si(3.0),
             period: Time::from_millis(250.0),
-            window: Time::from_millis(750.0),
+            window: Time::si(1.0),
             sharpness: 1.0,
             stay: 1.5,
             quiet: PowerLevel::from_dbm(-81.0),

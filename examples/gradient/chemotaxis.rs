@@ -49,7 +49,7 @@ impl Default for ChemotaxisParams {
             up: Frequency::from_hertz(0.03),
             down: Frequency::from_hertz(3.0),
             sense: Speed::si(0.1),
-            memory: Time::from_millis(800.0),
+            memory: Time::si(1.0),
             bias: 1.0,
             turn: Angle::from_degrees(68.0),
             turn_sigma: Angle::from_degrees(36.0),

@@ -21,7 +21,7 @@
 //! # The estimate
 //!
 //! A bee cannot tell a beacon's direction, but a loud one is likely near. From the packets of the last
-//! 0.75 s it takes the mean of both lengths, each beacon weighed by its received power ([`nose`]). Power
+//! second it takes the mean of both lengths, each beacon weighed by its received power ([`nose`]). Power
 //! is not distance: two rays make it fall with the second to the fourth power of it, and shadowing moves it by
 //! decibels that nobody knows. The mean is a blurred hill, shifted by chance.
 //!
@@ -37,8 +37,8 @@
 //!
 //! # Delay
 //!
-//! Everything takes time: a packet counts for 0.75 s, the past is remembered for 0.8 s, the vehicle turns
-//! its flight within 0.3 s, so a bee learns that it has left the crest about a second and a half, or two metres,
+//! Everything takes time: a packet counts for a second, the past is remembered for another, the vehicle turns
+//! its flight within 0.3 s, so a bee learns that it has left the crest about a second and a half, or some two metres,
 //! too late, and then draws turns until one leads up again. That is why a slow bee keeps closer to the path,
 //! and why a longer memory, which bridges more noise, makes wider detours.
 //!

@@ -6,10 +6,11 @@ use simbeeotic::prelude::*;
 /// Sees where bees truly are, counts their trips and measures how far off their path they fly. It takes no
 /// part in the flight.
 ///
-/// A trip is out to the end of a path and back to the hive, both within `reach`. It publishes, at each of its
-/// looks and over all bees: `trips`; `trips/least`, those by the path that was taken least; `trip/time`, the
-/// mean time of a trip; `deviation`, the mean distance to the nearest path, now; `deviation/mean`,
-/// `deviation/max` since the start; `lost`, the share outside of the field now; `lost/mean`, since the start.
+/// A trip is out to the end of a path and back to the hive, both within `reach`. At each of its looks it
+/// publishes, over all bees and since the start: `trips`; `trips/least`, those by the path that was taken
+/// least; `trip/time`, the mean time of a trip; `deviation` and `deviation/max`, the mean and the greatest
+/// distance to the nearest path; `lost`, the share of time outside of the field. `deviation/now` and
+/// `lost/now` are the means over the bees at this instant.
 #[behavior("gradient-referee", host = Bodiless)]
 pub struct GradientReferee {
     params: GradientRefereeParams,
@@ -127,11 +128,11 @@ impl GradientReferee {
         if trips > 0 {
             cx.metric("trip/time", self.trip_time.secs() / f64::from(trips), "s");
         }
-        cx.metric("deviation", off / bees, "m");
-        cx.metric("deviation/mean", self.deviation[0] / looks, "m");
+        cx.metric("deviation/now", off / bees, "m");
+        cx.metric("deviation", self.deviation[0] / looks, "m");
         cx.metric("deviation/max", self.deviation[1], "m");
-        cx.metric("lost", lost / bees, "1");
-        cx.metric("lost/mean", self.lost / looks, "1");
+        cx.metric("lost/now", lost / bees, "1");
+        cx.metric("lost", self.lost / looks, "1");
     }
 
     /// Keeps the books of one bee's trips.

@@ -23,9 +23,9 @@ fn bees_travel_by_both_paths_and_stay_near_them() {
     assert!(mean(&led, "trips") >= 3.0, "{trips:?}");
     let least = mean(&led, "trips/least");
     assert!(least >= 1.0, "{least}");
-    let off_m = mean(&led, "deviation/mean");
+    let off_m = mean(&led, "deviation");
     assert!(off_m < 7.5, "{off_m}");
-    let lost = mean(&led, "lost/mean");
+    let lost = mean(&led, "lost");
     assert!(lost < 0.08, "{lost}");
     // What they take for a trip mostly is one.
     let claimed = mean(&led, "claimed");
@@ -36,7 +36,7 @@ fn bees_travel_by_both_paths_and_stay_near_them() {
 fn without_bias_they_scatter_and_make_no_trips() {
     let blind = three(&gradient().set("model.bee.params.walk.bias", 0));
     assert!(mean(&blind, "trips") < 0.5);
-    let off_m = mean(&blind, "deviation/mean");
+    let off_m = mean(&blind, "deviation");
     assert!(off_m > 10.0, "{off_m}");
 }
 
