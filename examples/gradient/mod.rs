@@ -35,6 +35,16 @@
 //! it is. Signal strength tells: below `quiet`, each decibel that the loudest beacon loses counts as a metre
 //! down.
 //!
+//! Nobody tells a bee which path to take: at the hive both crests begin, and the first run that climbs decides.
+//!
+//! # What is left to chance
+//!
+//! The air is `ieee802154`: beacons speak at random phases, wait for a free channel and collide. It costs no more
+//! than `simple` here, and is true as well where beacons lie close. It draws no noise of its own that matters
+//! at these distances, so noise is what a field has: shadowing, a normal number of decibels for each place
+//! of a bee and a beacon, correlated over 10 m (`noise` in the scenario). A longer mean does not remove it, only
+//! flying on does.
+//!
 //! # Delay
 //!
 //! Everything takes time: a packet counts for a second, the past is remembered for another, the vehicle turns

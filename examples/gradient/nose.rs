@@ -96,3 +96,63 @@ impl Nose {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SECOND: Time = Time::si(1.0);
+
+    /// A nose that heard these beacons: when, which, how far along and across, how loud.
+    fn nose(sharpness: f64, heard: &[(f64, u32, f64, f64, f64)]) -> Nose {
+        let mut nose = Nose::new(SECOND, sharpness);
+        for &(at_s, beacon, along_m, across_m, rssi_dbm) in heard {
+            let value = Value {
+                mark: if beacon == 0 { Mark::Hive } else { Mark::Field },
+                along: Length::si(along_m),
+                across: Length::si(across_m),
+            };
+            let at = SimTime::from_time(Time::si(at_s)).expect("a time");
+            nose.hear(at, ModelId(beacon), value, PowerLevel::from_dbm(rssi_dbm));
+        }
+        nose
+    }
+
+    fn smell(mut nose: Nose, at_s: f64) -> Option<Smell> {
+        nose.smell(SimTime::from_time(Time::si(at_s)).expect("a time"))
+    }
+
+    #[test]
+    fn a_beacon_ten_times_as_strong_counts_ten_times() {
+        let heard = [(0.0, 1, 11.0, 0.0, -70.0), (0.1, 2, 0.0, 22.0, -60.0)];
+        let by_power = smell(nose(1.0, &heard), 0.5).expect("two");
+        assert!((by_power.along_m - 1.0).abs() < 1e-9, "{by_power:?}");
+        assert!((by_power.across_m - 20.0).abs() < 1e-9, "{by_power:?}");
+        assert_eq!((by_power.beacons, by_power.loudest), (2, Mark::Field));
+        let alike = smell(nose(0.0, &heard), 0.5).expect("two");
+        assert_eq!((alike.along_m, alike.across_m), (5.5, 11.0));
+    }
+
+    #[test]
+    fn a_beacon_that_is_heard_often_counts_once_by_its_mean() {
+        let often = [
+            (0.0, 1, 8.0, 0.0, -70.0),
+            (0.1, 0, 0.0, 4.0, -65.0),
+            (0.2, 1, 8.0, 0.0, -66.0),
+            (0.3, 0, 0.0, 4.0, -71.0),
+        ];
+        let smell = smell(nose(1.0, &often), 0.5).expect("two");
+        assert_eq!((smell.along_m, smell.across_m), (4.0, 2.0));
+        assert_eq!((smell.beacons, smell.rssi_dbm), (2, -68.0));
+    }
+
+    #[test]
+    fn what_is_older_than_the_window_is_forgotten() {
+        let heard = [(0.0, 0, 0.0, 0.0, -50.0), (0.8, 1, 9.0, 1.0, -80.0)];
+        let now = |at_s| smell(nose(1.0, &heard), at_s);
+        assert_eq!(now(0.9).expect("both").loudest, Mark::Hive);
+        let later = now(1.5).expect("one");
+        assert_eq!((later.along_m, later.loudest), (9.0, Mark::Field));
+        assert_eq!(now(2.0), None);
+    }
+}
