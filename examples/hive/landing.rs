@@ -1,4 +1,4 @@
-//! What is said on the deck, by the plug that charges too: only who rests there hears it, and is heard.
+//! What is said on the pads, by the plug that charges too: only who rests there hears it, and is heard.
 
 use super::cells::Cells;
 use super::planner::Finding;
@@ -9,7 +9,7 @@ use simbeeotic::units::glam::DVec3;
 /// Hive to guest, once, before the first flight.
 #[derive(Clone, Debug)]
 pub(crate) struct Briefing {
-    /// The middle of the deck.
+    /// The middle of the pads.
     pub(crate) home: DVec3,
     /// The guest's own spot on it.
     pub(crate) spot: DVec3,

@@ -1,4 +1,9 @@
-//! The MAV: from the deck to a cell, work there, and home again.
+//! The MAV: what it is made of, what it hears, and what it minds once a second. Its flights are in `errand`
+//! (out and work), `eyes` (what it sees there) and `homing` (back to its pad).
+
+mod errand;
+mod eyes;
+mod homing;
 
 use super::finds::Finds;
 use super::flight::{Act, Leg, Pilot, Step, toward};
@@ -19,7 +24,7 @@ use std::collections::BTreeSet;
 ///
 /// It has sensors `position`, `height` (an altimeter), `battery` and `flowers` (a flower detector that
 /// looks straight down), and a radio. Where its hive is, how the field is divided and who decides it is
-/// told on the deck.
+/// told on its pad.
 #[behavior("search-mav")]
 pub struct SearchMav {
     pub(super) params: SearchMavParams,
@@ -38,6 +43,7 @@ pub struct SearchMav {
     noticed: BTreeSet<ObjectId>,
     looked: SimTime,
     chores: u32,
+    trips: u32,
     idle_s: f64,
 }
 
@@ -76,6 +82,8 @@ pub struct SearchMavParams {
     pub charged: f64,
     /// How often it searches its share in the static scheme.
     pub passes: u32,
+    /// Time between two words by radio about place and charge, in the central scheme; in whole seconds.
+    pub telemetry: Time,
 }
 
 impl Default for SearchMavParams {
@@ -93,6 +101,7 @@ impl Default for SearchMavParams {
             reserve: 0.2,
             charged: 0.9,
             passes: 2,
+            telemetry: Time::si(5.0),
         }
     }
 }
@@ -100,7 +109,7 @@ impl Default for SearchMavParams {
 /// What it is about.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Phase {
-    /// It lies on the deck since then. Whether its report was taken.
+    /// It lies on its pad since then. Whether its report was taken.
     Docked { since: SimTime, heard: bool },
     /// It flies to its work, or works.
     Out,
@@ -108,7 +117,7 @@ pub(super) enum Phase {
     Asks { at: SimTime, times: u32 },
     /// It flies home.
     Home,
-    /// It comes down on the deck; so many steps it was as low as the deck.
+    /// It comes down on its pad; so many steps it was as low as one on it.
     Sinks { low: u32 },
 }
 
@@ -132,7 +141,7 @@ const ASKED_MAX: u32 = 3;
 const WHISPER: u8 = 3;
 /// Beacons have so long to answer, s.
 const LISTEN_S: f64 = 0.4;
-/// It waits so long for the hive to take its report: after that it does not lie on the deck, s.
+/// It waits so long for the hive to take its report: after that it does not lie on a pad, s.
 const TAKEN_S: f64 = 8.0;
 /// Work in a cell takes a search at least: as much as this of a battery.
 const LEAST_WORK: f64 = 0.08;
@@ -153,6 +162,7 @@ impl Behavior for SearchMav {
         in_range("reserve", params.reserve, 0.0..=1.0)?;
         in_range("charged", params.charged, 0.0..=1.0)?;
         in_range("passes", params.passes, 1..=1000)?;
+        in_range("telemetry", params.telemetry, CHORES..=Time::si(1e6))?;
         let mut chance = kit.stream("mind");
         // Not all at one time.
         let first = CHORES * (0.05 + 0.9 * chance.uniform());
@@ -180,6 +190,7 @@ impl Behavior for SearchMav {
             noticed: BTreeSet::new(),
             looked: SimTime::ZERO,
             chores: 0,
+            trips: 0,
             idle_s: 0.0,
         })
     }
@@ -236,6 +247,8 @@ impl Behavior for SearchMav {
             self.take(message.sender, briefing.clone(), bee);
         } else if message.get::<Received>().is_some() {
             self.log.clear();
+            self.trips += 1;
+            bee.metric("trips", f64::from(self.trips), "1");
             self.phase = Phase::Docked { since, heard: true };
         } else if let Some(Order(job)) = message.get()
             && self.is_charged(bee)
@@ -344,11 +357,11 @@ impl SearchMav {
         }
     }
 
-    /// On the deck: reports, charges, asks for work.
+    /// On its pad: reports, charges, asks for work.
     fn wait(&mut self, hive: ModelId, since: SimTime, heard: bool, bee: &mut Bee<'_>) {
         if !heard {
             if (bee.now() - since).secs() > TAKEN_S {
-                // Nobody there: this is not the deck.
+                // Nobody there: this is no pad.
                 return self.go_home(bee);
             }
             return bee.tell(hive, Report(self.log.clone()));
@@ -382,7 +395,11 @@ impl SearchMav {
         {
             return self.ask(times, bee);
         }
-        if self.chores.is_multiple_of(5) && !self.mind.carries_on() {
+        if self
+            .chores
+            .is_multiple_of(self.params.telemetry.get().round() as u32)
+            && !self.mind.carries_on()
+        {
             let cell = self.work.as_ref().map_or(u16::MAX, |(job, _)| job.cell);
             self.radio_hive(
                 &Word::Status {
@@ -462,351 +479,5 @@ impl SearchMav {
             Next::Rest if matches!(self.phase, Phase::Docked { .. }) => {}
             Next::Rest => self.go_home(bee),
         }
-    }
-
-    /// Sets out for a job, if it reckons that it can come home from there.
-    fn start(&mut self, job: Job, bee: &mut Bee<'_>) {
-        let Some((cells, home)) = self.brief.as_ref().map(|(_, b)| (b.cells, b.home)) else {
-            return;
-        };
-        let there = cells.middle(job.cell.min(cells.len() - 1));
-        let here = self.pilot.here.truncate();
-        let need = self.cost(here, there) + self.cost(there, home.truncate());
-        if self.charge(bee) < need + LEAST_WORK + self.params.reserve {
-            if job.ticket != 0 {
-                self.radio_hive(&Word::Homeward { ticket: job.ticket }, bee);
-            }
-            if !matches!(self.phase, Phase::Docked { .. }) {
-                self.go_home(bee);
-            }
-            return;
-        }
-        self.take_off(bee);
-        self.phase = Phase::Out;
-        let same = self.log.last().is_some_and(|done| done.cell == job.cell);
-        if job.task == Task::Search {
-            self.finds = Finds::default();
-        } else if !(same && job.places.is_empty()) {
-            self.finds = Finds::told(&job.places, self.params.flower_height.metres());
-        }
-        if self.mind.carries_on() {
-            self.radio_all(&Word::Claim { cell: job.cell }, bee);
-        }
-        let knows = job.task != Task::Search && !self.finds.left().is_empty();
-        let stage = if knows { job.task } else { Task::Search };
-        self.pilot.clear(bee.now());
-        let lanes = cells.lanes(job.cell, self.params.lane.metres(), here);
-        let entry = match self
-            .finds
-            .round(here)
-            .first()
-            .and_then(|at| self.finds.get(*at))
-        {
-            Some(find) if knows => find.at.truncate(),
-            _ => lanes[0],
-        };
-        self.cross(entry);
-        self.work = Some((job, stage));
-        match stage {
-            Task::Search => self.add_lanes(&lanes),
-            _ => self.add_round(stage),
-        }
-    }
-
-    fn take_off(&mut self, bee: &mut Bee<'_>) {
-        if let Phase::Docked { .. } = self.phase {
-            bee.hover(true);
-            self.pilot.at(self.pilot.here, bee.now());
-            if self.idle_s > 0.0 {
-                bee.metric("idle", self.idle_s, "s");
-            }
-        }
-    }
-
-    /// The height at which it flies from place to place.
-    fn layer(&self) -> f64 {
-        let number = self.brief.as_ref().map_or(0, |(_, brief)| brief.number);
-        self.params.height.metres() + 0.75 * f64::from(number % 8)
-    }
-
-    /// The way to the work: over all obstacles if it is far.
-    fn cross(&mut self, entry: DVec2) {
-        let (here, up_m) = (self.pilot.here, self.layer());
-        let speed_m_s = self.params.speed.get();
-        let docked = here.z < 0.5 * self.params.search_height.metres();
-        if docked || here.truncate().distance(entry) > NEAR_M {
-            self.pilot
-                .add(Leg::pass(here.truncate().extend(up_m), speed_m_s));
-            self.pilot.add(Leg::pass(entry.extend(up_m), speed_m_s));
-        }
-        let work = entry.extend(self.params.search_height.metres());
-        self.pilot.add(Leg::pass(work, speed_m_s));
-    }
-
-    fn add_lanes(&mut self, lanes: &[DVec2]) {
-        for place in lanes {
-            let to = place.extend(self.params.search_height.metres());
-            let leg = Leg::pass(to, self.params.search_speed.get());
-            self.pilot.add(Leg {
-                act: Act::Look,
-                ..leg
-            });
-        }
-    }
-
-    /// From flower to flower.
-    fn add_round(&mut self, task: Task) {
-        for which in self.finds.round(self.pilot.here.truncate()) {
-            let Some(find) = self.finds.get(which) else {
-                continue;
-            };
-            if task == Task::Sample {
-                let over = Leg::pass(find.at + DVec3::Z * SAMPLE_M, 2.0);
-                let stay_s = self.params.sample.get();
-                self.pilot.add(Leg {
-                    act: Act::Sample(which),
-                    near_m: 0.5,
-                    stay_s,
-                    ..over
-                });
-            } else {
-                let over = Leg::pass(find.at + DVec3::Z * OVER_M, 2.0);
-                self.pilot.add(Leg {
-                    near_m: 0.4,
-                    ..over
-                });
-                let down = Leg::pass(find.at + DVec3::Z * DOWN_M, 1.0);
-                let stay_s = self.params.pollinate.get();
-                self.pilot.add(Leg {
-                    act: Act::Serve(which),
-                    near_m: 0.3,
-                    stay_s,
-                    ..down
-                });
-            }
-        }
-    }
-
-    /// One step along its legs.
-    fn steer(&mut self, bee: &mut Bee<'_>) -> DVec3 {
-        let now = bee.now();
-        let (wanted, step) = self.pilot.steer(now);
-        match step {
-            Step::Flies => {
-                let act = self.pilot.leg().map_or(Act::Pass, |leg| leg.act);
-                if act != Act::Pass && (now - self.looked).secs() >= LOOK_S {
-                    self.looked = now;
-                    self.look(act, bee);
-                }
-            }
-            Step::Over(Act::Serve(which), true) => self.finds.serve(which),
-            Step::Over(..) => {}
-            Step::Idle => self.go_on(bee),
-        }
-        wanted
-    }
-
-    /// Looks down, and puts the flowers in sight on its map.
-    fn look(&mut self, act: Act, bee: &mut Bee<'_>) {
-        let Some((cells, cell)) = self.brief.as_ref().map(|(_, b)| b.cells).zip(self.cell()) else {
-            return;
-        };
-        let sightings = bee.read(self.gear.flowers);
-        let mut new = Vec::new();
-        for sighting in &sightings {
-            if let Some(object) = sighting.thing.and_then(Thing::object)
-                && self.noticed.insert(object)
-            {
-                new.push(object);
-            }
-            // The detector looks down: its forward axis is the body's down, its up the body's forward.
-            let seen = sighting.position.si();
-            let body = Velocity::<Flu>::from_xyz(seen.z, seen.y, -seen.x);
-            let at = self.pilot.here + bee.attitude().rotate(body).si();
-            match act {
-                Act::Look if cells.holds(cell, at.truncate(), 0.0) => {
-                    self.finds.sight(at, GATE_M);
-                }
-                Act::Sample(_) if cells.holds(cell, at.truncate(), 0.0) => {
-                    self.finds.sight(at, GATE_NEAR_M);
-                }
-                Act::Serve(_) if self.finds.nearest(at.truncate(), GATE_NEAR_M).is_some() => {
-                    self.finds.sight(at, GATE_NEAR_M);
-                }
-                _ => {}
-            }
-        }
-        // It is nearer by now: the end of the leg is where the flower is seen.
-        let (up_m, which) = match act {
-            Act::Sample(which) => (SAMPLE_M, which),
-            Act::Serve(which) => (DOWN_M, which),
-            _ => (0.0, usize::MAX),
-        };
-        if let (Some(find), Some(leg)) = (self.finds.get(which), self.pilot.leg()) {
-            leg.to = find.at + DVec3::Z * up_m;
-        }
-        if !new.is_empty()
-            && let Some(referee) = bee.find("referee")
-        {
-            bee.tell(referee, Noticed(new));
-        }
-    }
-
-    fn cell(&self) -> Option<u16> {
-        self.work.as_ref().map(|(job, _)| job.cell)
-    }
-
-    /// All legs are flown.
-    fn go_on(&mut self, bee: &mut Bee<'_>) {
-        match self.phase {
-            Phase::Home => self.phase = Phase::Sinks { low: 0 },
-            Phase::Out => {
-                let after = self
-                    .work
-                    .as_ref()
-                    .and_then(|(job, stage)| self.stage_after(job, *stage));
-                match (after, self.work.take()) {
-                    (Some(stage), Some((job, _))) => {
-                        self.work = Some((job, stage));
-                        self.pilot.clear(bee.now());
-                        self.add_round(stage);
-                    }
-                    (None, Some(work)) => {
-                        self.work = Some(work);
-                        self.finish(true, bee);
-                        self.decide(bee);
-                    }
-                    (_, None) => self.decide(bee),
-                }
-            }
-            Phase::Asks { at, .. }
-                if self.mind.carries_on() && (bee.now() - at).secs() > LISTEN_S =>
-            {
-                self.choose(bee);
-            }
-            _ => {}
-        }
-    }
-
-    /// What comes after a stage of a job; `None` if it is done.
-    fn stage_after(&self, job: &Job, stage: Task) -> Option<Task> {
-        let last = if self.mind.carries_on() {
-            Task::Pollinate
-        } else {
-            job.task
-        };
-        match stage {
-            _ if stage >= last || self.finds.left().is_empty() => None,
-            // Who was sent to pollinate and had to look first does not sample as well.
-            Task::Search if job.task == Task::Pollinate => Some(Task::Pollinate),
-            Task::Search => Some(Task::Sample),
-            _ => Some(Task::Pollinate),
-        }
-    }
-
-    /// Notes what came of its work.
-    fn finish(&mut self, complete: bool, bee: &mut Bee<'_>) {
-        let Some((job, stage)) = self.work.take() else {
-            return;
-        };
-        let left = self.finds.left();
-        let finding = Finding {
-            ticket: job.ticket,
-            task: if self.mind.carries_on() {
-                stage
-            } else {
-                job.task
-            },
-            cell: job.cell,
-            complete,
-            count: left.len() as u16,
-            places: left,
-        };
-        if self.mind.carries_on() {
-            let left = count_byte(usize::from(finding.count));
-            self.radio_all(
-                &Word::Mark {
-                    cell: job.cell,
-                    left,
-                },
-                bee,
-            );
-        } else if !complete {
-            self.radio_hive(&Word::Homeward { ticket: job.ticket }, bee);
-        }
-        self.mind.done(&finding);
-        self.log.push(finding);
-    }
-
-    fn decide(&mut self, bee: &mut Bee<'_>) {
-        let next = self.mind.go_on();
-        self.act(next, bee);
-    }
-
-    /// Decides by what the beacons around have answered.
-    fn choose(&mut self, bee: &mut Bee<'_>) {
-        let Some(cells) = self.brief.as_ref().map(|(_, brief)| brief.cells) else {
-            return;
-        };
-        let here = self.pilot.here.truncate();
-        let next = self.mind.choose(&cells, here, bee.now(), &mut self.chance);
-        self.act(next, bee);
-    }
-
-    /// Up, and back over its spot.
-    pub(super) fn go_home(&mut self, bee: &mut Bee<'_>) {
-        let Some(spot) = self.brief.as_ref().map(|(_, brief)| brief.spot) else {
-            return;
-        };
-        bee.hover(true);
-        self.work = None;
-        self.phase = Phase::Home;
-        self.pilot.clear(bee.now());
-        let (here, up_m) = (self.pilot.here, self.layer());
-        let speed_m_s = self.params.speed.get();
-        let up = Leg::pass(here.truncate().extend(up_m), speed_m_s);
-        self.pilot.add(Leg { firm: true, ..up });
-        let over = Leg::pass(spot.truncate().extend(up_m), speed_m_s);
-        self.pilot.add(Leg {
-            firm: true,
-            near_m: 0.4,
-            ..over
-        });
-    }
-
-    /// Comes down over its spot: fast while it is high, slowly at the end.
-    fn sink(&mut self, low: u32, bee: &mut Bee<'_>) -> DVec3 {
-        let Some(spot) = self.brief.as_ref().map(|(_, brief)| brief.spot) else {
-            return DVec3::ZERO;
-        };
-        let here = self.pilot.here;
-        let height_m = bee
-            .read(self.gear.height)
-            .map_or(10.0, |height| height.metres());
-        let low = if height_m < 0.12 { low + 1 } else { 0 };
-        self.phase = Phase::Sinks { low };
-        if low >= 5 {
-            self.rest(bee);
-            return DVec3::ZERO;
-        }
-        let aside = toward((spot - here).truncate().extend(0.0), 1.0);
-        let down_m_s = match height_m {
-            high if high > 2.0 => 1.5,
-            low if low < 0.3 => 0.15,
-            _ => 0.4,
-        };
-        let near = (spot - here).truncate().length() < 0.5;
-        aside - DVec3::Z * if near { down_m_s } else { 0.0 }
-    }
-
-    /// It has landed: motors off, and the log to the hive.
-    fn rest(&mut self, bee: &mut Bee<'_>) {
-        bee.hover(false);
-        bee.fly(Velocity::ZERO);
-        self.work = None;
-        self.phase = Phase::Docked {
-            since: bee.now(),
-            heard: false,
-        };
     }
 }

@@ -9,23 +9,23 @@
 //! Micro-Aerial Vehicle Swarms With Karma*, SenSys 2011.
 //!
 //! ```text
-//!            deck: briefing, order                       radio: next task
+//!            pads: briefing, order                       radio: next task
 //!     hive ------------------------> MAV   out there  <------------------ hive
 //!          <------------------------                  ------------------>
-//!            deck: report, ready                    radio: done, going home, status
+//!            pads: report, ready                    radio: done, going home, status
 //! ```
 //!
-//! Nothing else passes. What is said on the deck (`landing.rs`) goes by the plug that charges: the hive hears
+//! Nothing else passes. What is said on the pads (`landing.rs`) goes by the plug that charges: the hive hears
 //! those alone who rest on its pads. What is said by radio has bytes (`wire.rs`), takes air time, collides and
 //! fades. A result by radio is a count; where the flowers are is handed in at landing.
 //!
 //! | file | what is in it |
 //! |---|---|
-//! | [`mav`] | a MAV: deck, way out, work, way home; when to go home |
+//! | [`mav`] | a MAV: pad, way out, work, way home; when to go home |
 //! | `flight.rs`, `finds.rs` | where it believes to be, and its legs; the flowers it has seen |
-//! | [`station`], [`planner`], `cells.rs` | the deck; which cell needs somebody most; the field in cells |
+//! | [`station`], [`planner`], `cells.rs` | pads and charger; which cell needs somebody most; the field in cells |
 //! | [`scheme`], [`beacon`] | the three ways to coordinate; the beacons that remember for the emergent one |
-//! | `landing.rs`, `wire.rs` | what is said on the deck, and by radio |
+//! | `landing.rs`, `wire.rs` | what is said on the pads, and by radio |
 //! | [`referee`] | coverage, flowers, energy, losses, idleness: measured from outside |
 
 pub mod beacon;

@@ -14,8 +14,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// | `flowers/seen` | flowers that a detector of a MAV has noticed |
 /// | `flowers/served` | flowers beside which a MAV stayed for the time `stay` |
 /// | `energy/flower` | J that all batteries gave, for each flower served |
+/// | `energy/used` | the same in all |
 /// | `lost` | MAVs that have lain away from a hive for half a minute |
-/// | `idle` | mean time for which a MAV was charged and had nothing to do, s |
+/// | `idleness` | mean time for which a MAV was charged and had nothing to do, s |
 #[behavior("search-referee", host = Bodiless)]
 pub struct SearchReferee {
     params: SearchRefereeParams,
@@ -240,8 +241,8 @@ impl SearchReferee {
         cx.metric("flowers/seen", self.seen.len() as f64, "1");
         cx.metric("flowers/served", served, "1");
         cx.metric("lost", lost as f64, "1");
-        cx.metric("idle", idle_s / self.books.len().max(1) as f64, "s");
-        cx.metric("energy/spent", energy_j, "J");
+        cx.metric("idleness", idle_s / self.books.len().max(1) as f64, "s");
+        cx.metric("energy/used", energy_j, "J");
         if served > 0.0 {
             cx.metric("energy/flower", energy_j / served, "J");
         }

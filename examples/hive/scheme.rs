@@ -2,7 +2,7 @@
 //!
 //! | scheme | who decides where a MAV goes next | what it needs |
 //! |---|---|---|
-//! | `central` | the hive's planner, at the deck and by radio | deck talk, radio |
+//! | `central` | the hive's planner, on the pads and by radio | talk on the pads, radio |
 //! | `static` | nobody: its share of the cells is fixed, it works through it | a briefing |
 //! | `emergent` | the MAV, by the trails that beacons on the ground keep | beacons within earshot |
 //!
@@ -99,7 +99,7 @@ impl Mind {
         !matches!(self, Self::Central)
     }
 
-    /// What to do on the deck, charged.
+    /// What to do on its pad, charged.
     pub(crate) fn set_out(&mut self, cells: &Cells, chance: &mut Stream) -> Next {
         match self {
             Self::Central => Next::Ask,

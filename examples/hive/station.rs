@@ -1,4 +1,4 @@
-//! The hive: a deck with chargers, a radio, and in the central scheme a planner.
+//! The hive: a box and pads with chargers, a radio, and in the central scheme a planner.
 
 use super::cells::Cells;
 use super::landing::{Briefing, Order, Ready, Received, Report};
@@ -15,6 +15,9 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// MAVs nested in it are put on their pads before the run begins. What it knows of the field comes from
 /// reports at landing, of those alone who rest on its pads, and from packets.
+///
+/// It publishes `known` (share of cells that it was told to be searched), `docked`, `aloft` (MAVs heard of by
+/// radio in the last half minute), `dispatches`, `refused` (words of those who do not rest here).
 #[behavior("search-hive", host = Station)]
 pub struct SearchHive {
     params: SearchHiveParams,
@@ -25,8 +28,10 @@ pub struct SearchHive {
     desk: Option<Desk>,
     /// Cells that were reported as searched.
     searched: BTreeSet<u16>,
-    /// Pollinations that were reported, less what they left.
+    /// Words of those who do not rest here.
     refused: u64,
+    /// When it heard of each by radio last.
+    heard: BTreeMap<ModelId, SimTime>,
     dispatches: u64,
 }
 
@@ -73,6 +78,9 @@ impl Default for SearchHiveParams {
     }
 }
 
+/// Who was heard of by radio in this time is aloft, as far as the hive knows, s.
+const LATELY_S: f64 = 30.0;
+
 impl Behavior<Station> for SearchHive {
     type Params = SearchHiveParams;
 
@@ -92,6 +100,7 @@ impl Behavior<Station> for SearchHive {
             desk: None,
             searched: BTreeSet::new(),
             refused: 0,
+            heard: BTreeMap::new(),
             dispatches: 0,
         })
     }
@@ -127,7 +136,11 @@ impl Behavior<Station> for SearchHive {
         let (Some(radio), Some(word)) = (self.radio, Word::decode(packet.payload(), home)) else {
             return;
         };
+        if !self.crew.contains_key(&packet.sender()) {
+            return;
+        }
         let now = hive.now();
+        self.heard.insert(packet.sender(), now);
         match word {
             Word::Done {
                 ticket,
@@ -181,9 +194,9 @@ impl SearchHive {
     /// Once a period: who is here, who is new.
     fn look(&mut self, hive: &mut Platform<'_>) {
         self.dock.look(hive);
-        let deck = hive.position().si().truncate().extend(0.0);
+        let pads = hive.position().si().truncate().extend(0.0);
         if self.desk.is_none() {
-            let home = deck.truncate();
+            let home = pads.truncate();
             let (field, cell) = (self.params.field.metres(), self.params.cell.metres());
             let cells = Cells::around(home, field, cell);
             let central = self.params.scheme == Scheme::Central;
@@ -197,12 +210,12 @@ impl SearchHive {
         let guests = self.dock.guests().map(|(id, _)| id);
         let new: Vec<ModelId> = guests.filter(|id| !self.crew.contains_key(id)).collect();
         if !new.is_empty() {
-            self.brief(&new, deck, hive);
+            self.brief(&new, pads, hive);
         }
     }
 
     /// Tells new guests where they are, and what their share is.
-    fn brief(&mut self, new: &[ModelId], deck: DVec3, hive: &mut Platform<'_>) {
+    fn brief(&mut self, new: &[ModelId], pads: DVec3, hive: &mut Platform<'_>) {
         let Some(cells) = self.desk.as_ref().map(|desk| desk.cells) else {
             return;
         };
@@ -216,8 +229,8 @@ impl SearchHive {
             hive.tell(
                 *id,
                 Briefing {
-                    home: deck,
-                    spot: deck + spots[at].extend(0.0),
+                    home: pads,
+                    spot: pads + spots[at].extend(0.0),
                     number,
                     cells,
                     scheme: self.params.scheme,
@@ -232,6 +245,9 @@ impl SearchHive {
         let known = self.searched.len() as f64 / f64::from(desk.cells.len());
         hive.metric("known", known, "1");
         hive.metric("docked", self.dock.guests().count() as f64, "1");
+        let lately = |at: &&SimTime| (hive.now() - **at).secs() < LATELY_S;
+        let aloft = self.heard.values().filter(lately).count();
+        hive.metric("aloft", aloft as f64, "1");
         hive.metric("dispatches", self.dispatches as f64, "1");
         hive.metric("refused", self.refused as f64, "1");
         if let Some(planner) = &desk.planner {

@@ -73,7 +73,7 @@ fn without_radio_the_planner_sends_each_mav_to_one_cell_a_flight_and_the_field_i
         per(&heard)
     );
     assert!(deaf.total("coverage") < 0.7 * heard.total("coverage"));
-    // The deck still works.
+    // What is said on the pads still passes.
     assert!(deaf.total("known") > 0.05, "{}", deaf.total("known"));
 }
 
@@ -180,4 +180,21 @@ fn the_hive_takes_reports_of_those_alone_who_rest_on_its_pads() {
 fn cells_of_the_scenario_have_numbers() {
     let cells = Cells::around(simbeeotic::units::glam::DVec2::ZERO, 300.0, 10.0);
     assert_eq!(cells.len(), 900);
+}
+
+/// A ghost that draws what the others draw on the mean.
+const GHOST: &str =
+    r#"{ use = "ghost", length = "12 cm", max_acceleration = "4 m/s^2", hover_current = "2 A" }"#;
+
+#[test]
+fn ghosts_search_with_the_others_land_without_contacts_and_set_out_again() {
+    let run = run(&search().set("model.hive.model.heli.vehicle", GHOST));
+    for heli in 0..5 {
+        let trips = run.metric_of(&format!("hive/heli-{heli}"), "trips");
+        assert!(
+            trips.is_some_and(|trips| trips.last >= 1.0),
+            "heli-{heli}: {trips:?}"
+        );
+    }
+    assert_eq!(run.total("lost"), 0.0);
 }
