@@ -4,9 +4,9 @@
 //! Vehicle Swarm Experiments*, IPSN 2012, section 5.2: "We discretize the world into cells and dispatch MAVs
 //! from the hive to perform a specific task until they are low on energy, at which point they return to
 //! recharge. A planner at the hive analyzes the results of the trip (the information collected) and
-//! determines which cells require more attention." Its code was never published; the planner here is our
-//! own ([`planner`]), in the spirit of the one that the paper refers to, K. Dantu et al., *Programming
-//! Micro-Aerial Vehicle Swarms With Karma*, SenSys 2011.
+//! determines which cells require more attention." Its code was never published;
+//! the planner here is our own ([`planner`]). The same group's K. Dantu et al., *Programming Micro-Aerial
+//! Vehicle Swarms With Karma*, SenSys 2011, is about such a hive; its text was not at hand.
 //!
 //! ```text
 //!            pads: briefing, order                       radio: next task

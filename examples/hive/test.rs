@@ -177,6 +177,13 @@ fn the_hive_takes_reports_of_those_alone_who_rest_on_its_pads() {
 }
 
 #[test]
+fn five_thousand_set_out_in_the_dream() {
+    let dream = run(&example("hive/dream.toml").set("run.end_time", "11 s"));
+    assert_eq!(dream.models, 25 * 201 + 1);
+    assert_eq!(dream.total("dispatches"), 5000.0);
+}
+
+#[test]
 fn cells_of_the_scenario_have_numbers() {
     let cells = Cells::around(simbeeotic::units::glam::DVec2::ZERO, 300.0, 10.0);
     assert_eq!(cells.len(), 900);
