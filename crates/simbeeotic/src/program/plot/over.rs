@@ -64,6 +64,18 @@ struct Part {
     lines: Vec<Line>,
 }
 
+impl Part {
+    /// What its numbers are never below: counts, times and shares know no less than zero.
+    fn least(&self) -> f64 {
+        let points = self.lines.iter().flat_map(|line| &line.points);
+        let mut runs = points.flat_map(|(_, numbers)| &numbers.runs);
+        match runs.all(|run| *run >= 0.0) {
+            true => 0.0,
+            false => f64::NEG_INFINITY,
+        }
+    }
+}
+
 /// Draws it.
 pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
     let runs = Runs::open(&options.table)?;
@@ -199,20 +211,20 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
     match values {
         Values::Numbers { low, high, unit } => {
             let label = match unit.as_str() {
-                "" => x.name.clone(),
-                unit => format!("{}, {unit}", x.name),
+                "" => short(&x.name).to_owned(),
+                unit => format!("{}, {unit}", short(&x.name)),
             };
             let margin = 0.03 * (high - low);
             Axis::exact(label, low - margin, high + margin, 10.0)
         }
-        Values::Words(names) => Axis::named(x.name.as_str(), names.clone()),
+        Values::Words(names) => Axis::named(short(&x.name), names.clone()),
     }
 }
 
 fn y_axis(part: &Part, bars: bool) -> Axis {
     let all = || part.lines.iter().flat_map(|line| &line.points);
     let ends = all().flat_map(|(_, numbers)| {
-        let [_, ends] = estimate(&numbers.units);
+        let [_, ends] = estimate(&numbers.units, part.least());
         numbers.runs.iter().copied().chain(ends).collect::<Vec<_>>()
     });
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -225,11 +237,12 @@ fn y_axis(part: &Part, bars: bool) -> Axis {
     value_axis(part.label.clone(), low, high, 6.0)
 }
 
-/// The mean and the ends of its 95 % interval; of one number that number.
-fn estimate(numbers: &[f64]) -> [[f64; 2]; 2] {
+/// The mean and the ends of its 95 % interval, which holds nothing below `least`; of one number that number.
+fn estimate(numbers: &[f64], least: f64) -> [[f64; 2]; 2] {
     let middle = mean(numbers).unwrap_or(f64::NAN);
     let ends = band(&mut numbers.to_vec(), BandKind::Confidence);
-    [[middle; 2], ends.unwrap_or([middle; 2])]
+    let [low, high] = ends.unwrap_or([middle; 2]);
+    [[middle; 2], [low.max(least), high]]
 }
 
 fn draw(
@@ -288,7 +301,7 @@ fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
             let estimates = line
                 .points
                 .iter()
-                .map(|(_, numbers)| estimate(&numbers.units));
+                .map(|(_, numbers)| estimate(&numbers.units, part.least()));
             let (means, spread): (Vec<_>, Vec<_>) = estimates.map(|[m, ends]| (m[0], ends)).unzip();
             let places = line.points.iter().map(|(x, _)| x + shift);
             let curve = Curve {
@@ -398,8 +411,26 @@ mod tests {
             "nothing else is known of their chance"
         );
         // s = 2.828, t(1) = 12.706, over the root of two.
-        let [[middle, _], [low, high]] = estimate(&four.units);
+        let [[middle, _], [low, high]] = estimate(&four.units, f64::NEG_INFINITY);
         assert_eq!(middle, 4.0);
         assert!((high - low - 2.0 * 25.41).abs() < 0.01, "{low} to {high}");
+    }
+
+    #[test]
+    fn the_interval_of_what_is_never_below_zero_ends_there() {
+        let part = |runs: &[(&str, f64)]| Part {
+            label: String::new(),
+            lines: vec![Line {
+                name: String::new(),
+                colour: 0,
+                marker: 0,
+                points: vec![(1.0, Numbers::of(runs))],
+            }],
+        };
+        let trips = part(&[("1", 0.0), ("2", 0.0), ("3", 1.0)]);
+        let climb = part(&[("1", 0.0), ("2", -0.1), ("3", 1.0)]);
+        let low = |part: &Part| estimate(&part.lines[0].points[0].1.units, part.least())[1][0];
+        assert_eq!(low(&trips), 0.0);
+        assert!(low(&climb) < -0.5);
     }
 }
