@@ -69,12 +69,22 @@ impl Quantity {
         if name == "delivery in range" || name.ends_with("battery/soc") {
             return [0.0, 1.0];
         }
-        let positive =
-            name == "speed" || name.starts_with("distance from ") || name.starts_with("frames ");
+        let positive = name == "speed"
+            || name.starts_with("distance from ")
+            || name.starts_with("frames ")
+            || self.is_never_below_zero();
         [
             if positive { 0.0 } else { f64::NEG_INFINITY },
             f64::INFINITY,
         ]
+    }
+}
+
+impl Quantity {
+    /// As counts, times and shares are.
+    fn is_never_below_zero(&self) -> bool {
+        let mut points = self.curves.iter().flat_map(|curve| &curve.points);
+        points.all(|[_, value]| *value >= 0.0)
     }
 }
 
