@@ -24,7 +24,9 @@ use std::collections::BTreeSet;
 ///
 /// It has sensors `position`, `height` (an altimeter), `battery` and `flowers` (a flower detector that
 /// looks straight down), and a radio. Where its hive is, how the field is divided and who decides it is
-/// told on its pad.
+/// told on its pad. It publishes `trips` (landings whose report was taken) and `idle` (seconds charged with
+/// nothing to do), and tells a model called `referee`, if there is one, what its batteries gave and which
+/// flowers its detector noticed: for the books, nothing comes back.
 #[behavior("search-mav")]
 pub struct SearchMav {
     pub(super) params: SearchMavParams,
