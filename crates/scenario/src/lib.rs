@@ -23,12 +23,14 @@
 //! ```
 //!
 //! Reading order: [`load`] (the whole way), [`mod@toml`] and [`xml`] (text to tree), [`set`] (changes
-//! from the command line), [`sweep`] (one scenario, many runs), [`variables`] (placeholders), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
+//! from the command line), [`sweep`] (one scenario, many runs), [`variables`] (placeholders), `like` (models
+//! like others), [`plan`] (tree to parts), [`render`] (faults to text), [`mod@print`] (tree
 //! to text), [`schema`] (for editors), [`generate`] (worlds made
 //! by rule), [`limit`] (how large an input may be).
 
 mod files;
 pub mod generate;
+mod like;
 pub mod limit;
 pub mod load;
 pub mod plan;

@@ -33,3 +33,6 @@ pub const FILE_BYTES_MAX: u64 = 1 << 28;
 
 /// Most packets that may wait in a radio.
 pub const QUEUE_FRAMES_MAX: usize = 1_000_000;
+
+/// What models may take over from others with `like`, all together, in bytes of memory, about.
+pub const LIKE_BYTES_MAX: usize = 1 << 27;

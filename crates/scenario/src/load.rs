@@ -356,6 +356,7 @@ impl Base {
         let mut variables = self.given.clone();
         variables.extend(Variables::of(&tree, &mut reading.faults));
         variables.apply(&mut tree, &mut reading.faults);
+        crate::like::apply(&mut tree, &mut reading.faults);
         let mut cx = Context {
             faults: std::mem::take(&mut reading.faults),
             sources: &mut reading.sources,
@@ -366,6 +367,7 @@ impl Base {
         };
         let plan = plan::plan(&tree, &mut cx);
         reading.faults = cx.faults;
+        crate::like::once(&mut reading.faults);
         reading.faults.sort_by_key(|f| f.span);
         match plan {
             Some(plan) if !reading.faults.iter().any(Fault::is_error) => Ok(Loaded {

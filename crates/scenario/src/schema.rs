@@ -493,15 +493,51 @@ fn model(all: &mut Definitions) -> Value {
         section
     };
     let parts: Vec<&Part> = of_kind(Kind::Model).collect();
-    let mut choices = Vec::new();
+    let mut choices = vec![like(&battery)];
     for part in parts {
         let params = all.own(part, &format!("model.{}", part.label.name));
         choices.push(common(params, used(part)));
     }
-    match choices.is_empty() {
-        true => json!({ "type": "object" }),
-        false => json!({ "oneOf": choices }),
-    }
+    json!({ "oneOf": choices })
+}
+
+/// A model like one before it: what it does not say hangs on that one, so that its gear needs no `use`.
+fn like(battery: &Value) -> Value {
+    let part = |words: &str| json!({ "type": ["string", "object"], "description": words });
+    let text = |words: &str| json!({ "type": "string", "description": words });
+    let properties = entries([
+        (
+            crate::like::KEY,
+            text(
+                "The name of a model before it: this one is the same, but for what it says itself.",
+            ),
+        ),
+        ("use", text("The behaviour, if it is another.")),
+        ("name", text("What it is called.")),
+        (
+            "count",
+            json!({ "type": "integer", "minimum": 0, "default": 1, "description": "How many there are." }),
+        ),
+        ("start", json!({ "$ref": "#/$defs/start" })),
+        ("params", json!({ "type": "object" })),
+        ("vehicle", part("The vehicle, or what is other of it.")),
+        (
+            "sensor",
+            json!({ "type": "object", "additionalProperties": { "type": "object" } }),
+        ),
+        ("radio", part("The radio, or what is other of it.")),
+        (
+            "battery",
+            json!({ "anyOf": [{ "type": "string" }, battery] }),
+        ),
+        (
+            "model",
+            json!({ "type": "array", "items": { "$ref": "#/$defs/model" } }),
+        ),
+    ]);
+    let mut section = table(properties, "Models like others.");
+    section["required"] = json!([crate::like::KEY]);
+    section
 }
 
 fn start(all: &mut Definitions) -> Value {

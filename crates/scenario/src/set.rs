@@ -17,7 +17,7 @@
 //! --seeds 10    --seeds 1..20    --seeds 3,5,8    [sweep] seeds
 //! ```
 
-use crate::sweep;
+use crate::{like, sweep};
 use simbeeotic_model::config::{Fault, Key, Node, SourceId, Sources, Span, Table, Value};
 
 /// What errors call the place that arguments come from.
@@ -247,7 +247,13 @@ pub(crate) fn place(node: &mut Node, keys: &[Key], value: Node) -> Result<(), Fa
                 table.insert(key.clone(), Node::table(value.span));
             }
             match table.get_mut(&key.text) {
-                Some(inner) => place(inner, rest, value),
+                Some(inner) => {
+                    // A part by its name: the key is one of its table.
+                    if let Some(word) = like::name_key(&key.text) {
+                        like::into_table(inner, word);
+                    }
+                    place(inner, rest, value)
+                }
                 None => Ok(()),
             }
         }
@@ -325,11 +331,19 @@ mod tests {
     const SCENARIO: &str = r#"
         [run]
         seed = 1
+        [channel]
+        medium = "simple"
         [[model]]
         use = "simple-hive"
         [[model]]
         use = "instrument-bee"
         name = "bee"
+        vehicle = "simple-bee"
+        battery = "1s-170mah"
+        radio = { use = "cc2420", antenna = "isotropic" }
+        [[model]]
+        use = "broadcast-bee"
+        radio = "cc2420"
         [[component]]
         use = "viewer"
     "#;
@@ -370,6 +384,38 @@ mod tests {
             let text = set(argument).unwrap_or_else(|e| panic!("{argument}: {e}"));
             assert!(text.contains(line), "{argument}:\n{text}");
         }
+    }
+
+    #[test]
+    fn a_part_by_its_name_becomes_a_table_when_a_key_of_it_is_set() {
+        for (argument, line) in [
+            (
+                "model.bee.vehicle.mass=27 g",
+                "[model.vehicle]\nuse = \"simple-bee\"\nmass = \"27 g\"",
+            ),
+            (
+                "model.bee.vehicle.use=ghost",
+                "[model.vehicle]\nuse = \"ghost\"\n",
+            ),
+            (
+                "model.bee.battery.avionics=50 mA",
+                "[model.battery]\npreset = \"1s-170mah\"\navionics = \"50 mA\"",
+            ),
+            (
+                "model.bee.radio.antenna.gain=3 dB",
+                "antenna = { use = \"isotropic\", gain = \"3 dB\" }",
+            ),
+            (
+                "model.broadcast-bee.radio.tx_level=3",
+                "[model.radio]\nuse = \"cc2420\"\ntx_level = 3",
+            ),
+            ("channel.medium.x=1", "medium = { use = \"simple\", x = 1 }"),
+        ] {
+            let text = set(argument).unwrap_or_else(|e| panic!("{argument}: {e}"));
+            assert!(text.contains(line), "{argument}:\n{text}");
+        }
+        let error = set("model.bee.name.x=1").expect_err("a name is no part");
+        assert!(error.contains("leads into text"), "{error}");
     }
 
     #[test]

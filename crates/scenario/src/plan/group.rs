@@ -47,6 +47,8 @@ fn group(node: &Node, cx: &mut Context<'_>) -> Option<Group> {
     let mut section = Section::open(node, "a model", &mut cx.faults)?;
     let part = part(&mut section, Kind::Model, &mut cx.faults);
     let use_span = section.get("use").map_or(node.span, |n| n.span);
+    // What it is like was put into it already.
+    section.get(crate::like::KEY);
     let name = section.get("name");
     let text = name.and_then(|node| read::<String>(node, &mut cx.faults));
     if let (Some(node), Some(text)) = (name, &text)

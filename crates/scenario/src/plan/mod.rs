@@ -8,7 +8,7 @@
 //! [variables]  what placeholders `${name}` stand for, here and in the world
 //! [physics]    gravity, ground, how faithfully contacts are simulated
 //! [record]     the recorder's parameters
-//! [[model]]    use, name, count, start, params, vehicle, sensor, radio, model (nested)
+//! [[model]]    use, like, name, count, start, params, vehicle, sensor, radio, model (nested)
 //! [[component]] use, its own parameters
 //! [sweep]      what varies; it is taken out, and one combination put in, before a plan is made
 //! ```

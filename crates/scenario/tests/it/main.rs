@@ -5,6 +5,7 @@ mod channel;
 mod faults;
 mod figure12;
 mod files;
+mod like;
 mod objects;
 mod originals;
 mod placeholders;
