@@ -199,11 +199,13 @@ fn every_kind_is_a_png_with_ink_in_it() {
 #[test]
 fn a_mean_over_runs_has_students_band() {
     let program = Program::new();
-    for (seed, gain) in [(1, 1.0), (2, 2.0), (3, 3.0)] {
-        record(&program, &format!("run-{seed}.mcap"), seed, 10, gain);
+    for seed in 1..=3 {
+        let gain = seed as f64;
+        record(&program, &format!("low-{seed}.mcap"), seed, 10, gain);
+        record(&program, &format!("run-{seed}.mcap"), seed, 10, 10.0 + gain);
     }
     let runs = ["run-1.mcap", "run-2.mcap", "run-3.mcap"];
-    let series = |more: &[&str]| {
+    let series_of = |runs: [&str; 3], more: &[&str]| {
         let arguments = [
             &["series"],
             &runs[..],
@@ -213,32 +215,36 @@ fn a_mean_over_runs_has_students_band() {
         .concat();
         drawn(&program, &arguments)
     };
-    let svg = series(&[]);
-    let line = lines(&svg, BLUE).remove(0);
-    assert_eq!(
-        line.len(),
-        2,
-        "the mean of straight lines is straight: {line:?}"
-    );
-    // At 10 s the runs have 10.5, 20.5 and 30.5: mean 20.5, half a band of t(2) * 10 / sqrt(3).
+    let series = |more: &[&str]| series_of(runs, more);
+    // The band at 10 s, from 0 s to when the mean goes from 0.5 to `end`.
+    let wide = |svg: &str, end: f64| {
+        let line = lines(svg, BLUE).remove(0);
+        assert_eq!(
+            line.len(),
+            2,
+            "the mean of straight lines is straight: {line:?}"
+        );
+        let band = svg
+            .lines()
+            .find(|line| line.contains("fill-opacity=\"0.2\""));
+        let band = points(band.expect("a band"));
+        let at_end: Vec<f64> = (band.iter())
+            .filter(|p| (p[0] - line[1][0]).abs() < 0.02)
+            .map(|p| p[1])
+            .collect();
+        let wide = at_end.iter().fold(0.0, |m: f64, y| m.max(*y))
+            - at_end.iter().fold(f64::INFINITY, |m: f64, y| m.min(*y));
+        wide / ((line[0][1] - line[1][1]) / (end - 0.5))
+    };
+    // At 10 s the runs have 110.5, 120.5 and 130.5: mean 120.5, half a band of t(2) * 10 / sqrt(3).
     let half = 4.302_65 * 10.0 / 3.0_f64.sqrt();
-    let band = svg
-        .lines()
-        .find(|line| line.contains("fill-opacity=\"0.2\""));
-    let band = points(band.expect("a band"));
-    let at_end: Vec<f64> = (band.iter())
-        .filter(|p| (p[0] - line[1][0]).abs() < 0.02)
-        .map(|p| p[1])
-        .collect();
-    let wide = at_end.iter().fold(0.0, |m: f64, y| m.max(*y))
-        - at_end.iter().fold(f64::INFINITY, |m: f64, y| m.min(*y));
-    // From 0 s to 10 s the mean goes from 0.5 to 20.5.
-    let unit = (line[0][1] - line[1][1]) / 20.0;
-    assert!(
-        (wide / unit - 2.0 * half).abs() < 0.05,
-        "{} {half}",
-        wide / unit
-    );
+    let svg = series(&[]);
+    let found = wide(&svg, 120.5);
+    assert!((found - 2.0 * half).abs() < 0.2, "{found} {half}");
+    // 10.5, 20.5 and 30.5: the same, but what is never below zero has no band there.
+    let low = series_of(["low-1.mcap", "low-2.mcap", "low-3.mcap"], &[]);
+    let found = wide(&low, 20.5);
+    assert!((found - (20.5 + half)).abs() < 0.05, "{found} {half}");
     let words = crate::plot::words(&svg);
     assert!(words[1].contains("3 runs, seeds 1 to 3"), "{}", words[1]);
     assert!(words[1].contains("95 % confidence"), "{}", words[1]);

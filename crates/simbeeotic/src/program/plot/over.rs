@@ -9,6 +9,7 @@ use super::palette::series;
 use super::runs::{Column, Runs, Values};
 use super::series::value_axis;
 use super::sheet::{Anchor, HEAD, SMALL, Sheet, TEXT};
+use super::sweep::short;
 use simbeeotic_view::render::words;
 
 /// As many colours are told apart.
@@ -172,11 +173,6 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
         }
     }
     Ok(draw(options, &runs, &x, &by, &values, &parts))
-}
-
-/// The last part of a path.
-fn short(key: &str) -> &str {
-    key.rsplit('.').next().unwrap_or(key)
 }
 
 /// What the runs at each place of the x axis came to.

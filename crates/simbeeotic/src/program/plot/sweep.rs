@@ -28,7 +28,7 @@ pub(super) fn groups<'a>(
                 let stem = source.recording.path().file_stem();
                 stem.map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
             }
-            Some(key) => format!("{key} = {}", value(source, key)?),
+            Some(key) => format!("{} = {}", short(key), value(source, key)?),
         };
         match groups.iter_mut().find(|group| group.name == name) {
             Some(group) => group.runs.push(source),
@@ -40,6 +40,11 @@ pub(super) fn groups<'a>(
     }
     groups.sort_by_key(|group| natural(&group.name));
     Ok(groups)
+}
+
+/// The last part of a path: what a reader of a key knows it by.
+pub(super) fn short(key: &str) -> &str {
+    key.rsplit('.').next().unwrap_or(key)
 }
 
 /// A key that orders numbers in texts by their values.
