@@ -120,7 +120,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
                 (true, ..) => String::new(),
                 (false, _, 1) => curve.who.clone(),
                 (false, ..) if count == 1 && curve.who == "all radios" => quantity.name.clone(),
-                _ => format!("{} of {}", quantity.name, curve.who),
+                _ => line_name(&quantity.name, &curve.who),
             };
             let ink = series(place);
             let (width, alpha) = if many {
@@ -148,6 +148,19 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
     }
     what.dedup();
     Ok((quantities, drawn, what.join("; ")))
+}
+
+/// A line among those of other quantities: `drift of bee-1`. What has a path of its own, `bee-1/drift`, is
+/// called by that of its owner.
+fn line_name(quantity: &str, who: &str) -> String {
+    let ending = quantity.rsplit_once(':').map_or(quantity, |(name, _)| name);
+    match who.strip_suffix(ending) {
+        Some("") => quantity.to_owned(),
+        Some(above) if above.ends_with('/') => {
+            format!("{quantity} of {}", above.trim_end_matches('/'))
+        }
+        _ => format!("{quantity} of {who}"),
+    }
 }
 
 fn line_of(
@@ -416,6 +429,31 @@ impl Drawn {
             ([one], _) => sheet.disc(*one, 3.5, ink, 0.0),
             (_, true) => sheet.dashed(points, ink, self.width, [5.0, 4.0]),
             (_, false) => sheet.line(points, ink, self.width),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_says_once_what_it_is_of_and_whose() {
+        for (quantity, who, name) in [
+            ("drift", "p-bee/drift", "drift of p-bee"),
+            (
+                "work/drift",
+                "hive/p-bee/work/drift",
+                "work/drift of hive/p-bee",
+            ),
+            ("p-bee/drift", "p-bee/drift", "p-bee/drift"),
+            ("drift", "drift", "drift"),
+            ("compass:heading", "bee/compass", "compass:heading of bee"),
+            ("speed", "bee-1", "speed of bee-1"),
+            ("bee", "wild-bee", "bee of wild-bee"),
+            ("*/drift", "p-bee/drift", "*/drift of p-bee/drift"),
+        ] {
+            assert_eq!(line_name(quantity, who), name);
         }
     }
 }
