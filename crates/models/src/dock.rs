@@ -53,8 +53,8 @@ use std::collections::BTreeMap;
 
 /// Who rests on a deck, and whom it charges.
 ///
-/// At each [`look`](Self::look) it sees who rests within the deck's radius of its middle, on top of the box
-/// or inside, and connects as many as it has pads, those first who came first (of those who came within one
+/// At each [`look`](Self::look) it sees who rests within the deck's radius of its middle, at the height of the
+/// box or on top of it (so also, where the radius is larger than the box, on the ground beside it), and connects as many as it has pads, those first who came first (of those who came within one
 /// period, by number). Whoever is full makes room for the next, and is connected again only after it has
 /// left. Charging is at constant current, then at constant voltage: see `simbeeotic_model::energy`.
 #[derive(Clone, Debug)]
@@ -73,7 +73,7 @@ pub struct DockParams {
     pub height: Length,
     /// How many are charged at a time, 1 to 100,000.
     pub pads: u32,
-    /// How far from its middle it charges, level.
+    /// How far from its middle it charges, level. Pads beyond the box lie on the ground around it.
     pub pad_radius: Length,
     /// The most that one pad gives.
     pub current: Current,

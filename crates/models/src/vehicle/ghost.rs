@@ -7,8 +7,10 @@
 //! ```text
 //! v <- v + d min(1, max_acceleration T / |d|),    d = v_wanted - v          (1)
 //! ```
-//! It has no weight to carry and no wind to fight, lies still when it is told not to hover, and goes
-//! through what stands in its way: whoever flies one keeps it off things, and lands it by its sensors.
+//! It has no weight to carry and no wind to fight, and goes through what stands in its way: whoever flies
+//! one keeps it off things, and lands it by its sensors. Told not to hover it stops where it is, at once. So
+//! does one whose battery is empty: what the scenario says of `fall` and `stop` comes to the same, and one that
+//! is to `land` sinks until its reserve is spent, or until the ground.
 
 use glam::DVec3;
 use simbeeotic_model::check::{at_least_zero, positive};
@@ -79,22 +81,27 @@ impl Vehicle for Ghost {
     }
 
     fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>) {
-        let wanted: Velocity<Enu> = if setpoint.hovering {
-            platform.attitude().rotate(setpoint.velocity)
+        let now = platform.velocity();
+        let linear: Velocity<Enu> = if setpoint.hovering {
+            let wanted = platform.attitude().rotate(setpoint.velocity);
+            let most = self.params.max_acceleration * self.params.control_period;
+            now + (wanted - now).limit(most)
         } else {
+            // At once: nobody may call it again.
             Velocity::ZERO
         };
-        let now = platform.velocity();
-        let most = self.params.max_acceleration * self.params.control_period;
-        let linear = now + (wanted - now).limit(most);
+        let lowest_m = 0.5 * self.params.length.metres();
+        let linear = match platform.position().si().z <= lowest_m {
+            true => Velocity::from_si(linear.si().with_z(linear.si().z.max(0.0))),
+            false => linear,
+        };
         if linear != now {
             platform.set_twist(Twist {
                 linear,
                 angular: Rate::ZERO,
             });
         }
-        let flies = setpoint.hovering || linear != Velocity::ZERO;
-        let current = if flies {
+        let current = if setpoint.hovering {
             self.params.hover_current
         } else {
             Current::ZERO
@@ -118,11 +125,11 @@ impl Vehicle for Ghost {
 
 #[cfg(test)]
 mod tests {
-    use crate::trial::{NoParams, run, vehicle};
+    use crate::trial::{NoParams, run, vehicle, with_battery};
     use simbeeotic_model::config::{Node, Span};
     use simbeeotic_model::registry::{self, Kind, Make};
     use simbeeotic_model::units::{Angle, Time, Velocity};
-    use simbeeotic_model::{Bee, Behavior, BuildError, Kit, behavior};
+    use simbeeotic_model::{Bee, Behavior, BuildError, Kit, ModelPlan, behavior};
 
     /// Turns to the left, flies there for ten seconds, and switches its motors off.
     #[behavior("test-ghost-flight")]
@@ -143,25 +150,72 @@ mod tests {
         }
     }
 
-    /// 1 m/s² in steps of 0.1 s: 0.1 m/s more at each of twenty steps, then 2 m/s; and back.
-    #[test]
-    fn it_flies_its_set_points_exactly_and_lies_still_without_falling() {
-        let mut plan = vehicle("ghost", "test-ghost-flight", &[], &[], [0.0, 0.0, 5.0]);
+    /// A ghost with this part for its behaviour.
+    fn ghost(behavior: &str) -> ModelPlan {
+        let mut plan = vehicle("ghost", behavior, &[], &[], [0.0, 0.0, 5.0]);
         let Some(Make::Vehicle(make)) = registry::find(Kind::Vehicle, "ghost").map(|p| p.make)
         else {
             panic!("it is on the shelf");
         };
         let defaults = Node::table(Span::default());
         plan.vehicle = Some(make(&defaults).expect("they are right"));
-        let mut run = run(vec![plan], 20);
+        plan
+    }
+
+    /// 1 m/s² in steps of 0.1 s: 0.1 m/s more at each of twenty steps, then 2 m/s; and a stop at once.
+    #[test]
+    fn it_flies_its_set_points_exactly_and_lies_still_without_falling() {
+        let mut run = run(vec![ghost("test-ghost-flight")], 20);
         let end = run.run();
         assert!(end.error.is_none(), "{:?}", end.error);
         let north = run.pose("ghost").expect("a body").position.si();
-        // From the second step on, 0.1 (0.1 (1 + ... + 20) + 79 x 2) m; to rest, 0.1 (1.9 + ... + 0.1) m.
-        assert!((north.y - (17.9 + 1.9)).abs() < 1e-9, "{north}");
+        // From the second step on, 0.1 (0.1 (1 + ... + 20) + 79 x 2) m.
+        assert!((north.y - 17.9).abs() < 1e-9, "{north}");
         assert!(north.x.abs() < 1e-9, "{north}");
         assert_eq!(run.twist("ghost").expect("a body").linear, Velocity::ZERO);
         let up = north.z - 5.0;
         assert!(up.abs() < 0.051, "it neither falls nor climbs: {up} m");
+    }
+
+    /// Wants to go down, and on, for ever.
+    #[behavior("test-ghost-dive")]
+    struct Downward;
+
+    impl Behavior for Downward {
+        type Params = NoParams;
+
+        fn build(_params: NoParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+            kit.once(Time::ZERO, |_, bee: &mut Bee<'_>| {
+                bee.fly(Velocity::from_xyz(0.0, 0.0, -1.0));
+            });
+            Ok(Self)
+        }
+    }
+
+    #[test]
+    fn the_ground_ends_its_way_down() {
+        let mut run = run(vec![ghost("test-ghost-dive")], 20);
+        assert!(run.run().error.is_none());
+        let place = run.pose("ghost").expect("a body").position.si();
+        // A step of 0.1 s at 1 m/s is the most that it can be late.
+        assert!((-0.05..0.05 + 1e-9).contains(&place.z), "{place}");
+    }
+
+    #[test]
+    fn without_power_it_stops_whatever_it_was_to_do_then() {
+        for on_empty in ["stop", "fall", "land"] {
+            let battery = [
+                ("preset", "ideal"),
+                ("capacity", "1 mAh"),
+                ("on_empty", on_empty),
+            ];
+            let plan = with_battery(ghost("test-ghost-flight"), &battery);
+            let mut run = run(vec![plan], 120);
+            assert!(run.run().error.is_none());
+            let end = run.twist("ghost").expect("a body").linear;
+            assert_eq!(end, Velocity::ZERO, "{on_empty}");
+            let up = run.pose("ghost").expect("a body").position.si().z;
+            assert!((-0.05..5.1).contains(&up), "{on_empty}: {up} m");
+        }
     }
 }
