@@ -367,6 +367,11 @@ impl Base {
         };
         let plan = plan::plan(&tree, &mut cx);
         reading.faults = cx.faults;
+        let said = |span: Span| {
+            let source = reading.sources.get(span.source);
+            source.is_some_and(|source| source.name == crate::set::NAME)
+        };
+        variables.unused(&tree, said, &mut reading.faults);
         crate::like::once(&mut reading.faults);
         reading.faults.sort_by_key(|f| f.span);
         match plan {

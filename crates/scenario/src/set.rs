@@ -21,7 +21,7 @@ use crate::{like, sweep};
 use simbeeotic_model::config::{Fault, Key, Node, SourceId, Sources, Span, Table, Value};
 
 /// What errors call the place that arguments come from.
-const NAME: &str = "command line";
+pub(crate) const NAME: &str = "command line";
 /// What stands before an argument in the text that errors show.
 const FLAG: &str = "--set ";
 /// The same, of one that says what varies.

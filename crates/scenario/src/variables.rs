@@ -11,7 +11,8 @@
 //! may be made of others. An XML scenario's variables (`looping`) are the variables of its world, too.
 
 use simbeeotic_model::config::{Fault, Node, SourceId, Span, Value};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The key of the table.
 pub(crate) const KEY: &str = "variables";
@@ -20,6 +21,32 @@ pub(crate) const KEY: &str = "variables";
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Variables {
     known: BTreeMap<String, Value>,
+    asked: Asked,
+}
+
+/// The names that placeholders have asked for, of a set of variables and all its copies together.
+#[derive(Clone, Debug, Default)]
+struct Asked(Arc<Mutex<BTreeSet<String>>>);
+
+impl Asked {
+    fn note(&self, name: &str) {
+        let mut names = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if !names.contains(name) {
+            names.insert(name.to_owned());
+        }
+    }
+
+    fn names(&self) -> BTreeSet<String> {
+        let names = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        names.clone()
+    }
+}
+
+/// Who has asked is no part of what the variables are.
+impl PartialEq for Asked {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl Variables {
@@ -97,7 +124,40 @@ impl Variables {
 
     /// The value of a variable as text.
     pub(crate) fn text(&self, name: &str) -> Option<String> {
-        self.known.get(name).map(written)
+        self.get(name).map(written)
+    }
+
+    /// The value for a placeholder.
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.asked.note(name);
+        self.known.get(name)
+    }
+
+    /// Variables in the table of `root` that no placeholder has asked for: a mistake where `said` (on the
+    /// command line), since nothing would change, and a warning elsewhere.
+    pub(crate) fn unused(&self, root: &Node, said: impl Fn(Span) -> bool, faults: &mut Vec<Fault>) {
+        let table = root.as_table().and_then(|table| table.get(KEY));
+        let Some(table) = table.and_then(Node::as_table) else {
+            return;
+        };
+        let asked = self.asked.names();
+        for (key, _) in &table.entries {
+            let name = key.text.as_str();
+            if asked.contains(name) || !self.known.contains_key(name) {
+                continue;
+            }
+            let message = format!("variable `{name}` stands for nothing: no placeholder names it");
+            let help = match simbeeotic_units::did_you_mean(name, asked.iter().map(String::as_str))
+            {
+                Some(guess) => format!("did you mean `{guess}`?"),
+                None => format!("a scenario or its world uses it as \"${{{name}}}\""),
+            };
+            let fault = match said(key.span) {
+                true => Fault::error(key.span, message),
+                false => Fault::warning(key.span, message),
+            };
+            faults.push(fault.help(help));
+        }
     }
 
     /// Puts values in the place of all placeholders of a tree, but those in `[variables]` itself.
@@ -127,7 +187,7 @@ impl Variables {
     fn value(&self, text: &str, span: Span, faults: &mut Vec<Fault>) -> Option<Value> {
         if let Some((name, default)) = placeholder(text) {
             let default = default.map(|text| typed(text.trim()));
-            let value = self.known.get(name).cloned().or(default);
+            let value = self.get(name).cloned().or(default);
             if value.is_none() {
                 faults.push(self.unknown(name, span));
             }
@@ -142,7 +202,7 @@ impl Variables {
                 faults.push(fault.help("a placeholder is `${name}`, or `${name}:default` alone"));
                 return None;
             };
-            let Some(value) = self.known.get(name) else {
+            let Some(value) = self.get(name) else {
                 faults.push(self.unknown(name, span));
                 return None;
             };

@@ -2,7 +2,9 @@
 //! world files.
 
 use crate::shown;
-use simbeeotic_scenario::{Checked, Request, check_file, convert_file, convert_world, load_file};
+use simbeeotic_scenario::{
+    Checked, Request, check_file, convert_file, convert_world, load_file, load_text, render,
+};
 use simbeeotic_units::Length;
 use simbeeotic_world::{ObstacleShape, World};
 use std::fs;
@@ -177,4 +179,29 @@ fn a_world_in_the_place_of_a_scenario_is_told_once() {
             "{said}"
         );
     }
+}
+
+/// What a mistyped name would otherwise do is nothing, in silence.
+#[test]
+fn a_variable_that_nothing_uses_is_an_error_on_the_command_line_and_a_warning_in_a_file() {
+    let text = "[variables]\nend = \"1 s\"\nspare = 3\n\n[run]\nend_time = \"${end}\"\n";
+    let request = |set: &str| Request {
+        sets: vec![set.to_owned()],
+        ..Request::default()
+    };
+    let good = load_text("x.toml", text, &request("variables.end=2 s")).expect("it is right");
+    let warned: Vec<_> = good.faults().iter().map(|f| f.message.as_str()).collect();
+    assert!(
+        warned.contains(&"variable `spare` stands for nothing: no placeholder names it"),
+        "{warned:?}"
+    );
+    let wrong = load_text("x.toml", text, &request("variables.ends=2 s"));
+    let wrong = wrong.err().expect("nothing uses it");
+    let shown = render::faults(&wrong.faults, &wrong.sources, false);
+    assert!(
+        shown.contains("variable `ends` stands for nothing"),
+        "{shown}"
+    );
+    assert!(shown.contains("did you mean `end`?"), "{shown}");
+    assert!(shown.contains("command line:1:"), "{shown}");
 }
