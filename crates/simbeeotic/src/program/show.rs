@@ -127,7 +127,7 @@ pub(super) fn threads(threads: usize) -> String {
 }
 
 /// The metrics that stand in a printed summary.
-pub(super) const METRICS_SHOWN: usize = 6;
+const METRICS_SHOWN: usize = 24;
 
 /// Any number with about three digits that count.
 pub(super) fn number(value: f64) -> String {

@@ -2,11 +2,13 @@
 
 use super::rows::Rows;
 use crate::program::plot::{BandKind, band};
-use crate::program::show::{METRICS_SHOWN, number};
+use crate::program::show::number;
 use simbeeotic_scenario::Sweep;
 
 /// Most lines that are printed of means.
 const LINES_MAX: usize = 60;
+/// Most columns of numbers that are printed unless somebody says which.
+const COLUMNS_MAX: usize = 8;
 
 /// All runs, one a line.
 pub(super) fn listed(sweep: &Sweep) -> String {
@@ -104,7 +106,7 @@ fn shown(rows: &Rows) -> Vec<String> {
     ];
     let own = own.into_iter().filter(|name| says(name));
     let all = published.cloned().chain(own.map(str::to_owned));
-    let mut shown: Vec<String> = all.take(METRICS_SHOWN).collect();
+    let mut shown: Vec<String> = all.take(COLUMNS_MAX).collect();
     if shown.is_empty() {
         shown.push("virtual_s".to_owned());
     }
