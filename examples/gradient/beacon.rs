@@ -6,7 +6,8 @@ use simbeeotic::prelude::*;
 
 /// A beacon on the ground that broadcasts its value: where it lies beside the nearest of the paths.
 ///
-/// The value is what was written into it by whoever laid it down: its place does not change. It needs a
+/// The value is what was written into it by whoever laid it down and surveyed its place, without an error: the
+/// place does not change. It needs a
 /// radio, which sleeps between its packets. Beacons send at the same period, each at a phase of its own.
 #[behavior("gradient-beacon", host = Station)]
 pub struct GradientBeacon {
@@ -25,7 +26,7 @@ pub struct GradientBeaconParams {
     pub hive: bool,
     /// It marks the field's edge if no more than this is left of its path. 0 m or more.
     pub edge: Length,
-    /// Time between two packets.
+    /// Time between two packets. 10 ms to 1 h.
     pub period: Time,
 }
 
@@ -47,7 +48,11 @@ impl Behavior<Station> for GradientBeacon {
         params: GradientBeaconParams,
         kit: &mut Kit<Self, Station>,
     ) -> Result<Self, BuildError> {
-        positive("period", params.period)?;
+        in_range(
+            "period",
+            params.period,
+            Time::from_millis(10.0)..=Time::si(3600.0),
+        )?;
         at_least_zero("edge", params.edge)?;
         let phase = kit.stream("phase").uniform();
         kit.every_from(params.period * phase, params.period, Self::tell);

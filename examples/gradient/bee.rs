@@ -26,6 +26,8 @@ pub struct GradientBee {
     deaf: bool,
     left: SimTime,
     trips: u32,
+    /// Whether it has said yet that it begins with no trip.
+    counts: bool,
 }
 
 /// Parameters of [`GradientBee`].
@@ -33,7 +35,7 @@ pub struct GradientBee {
 pub struct GradientBeeParams {
     /// How fast it flies. Above 0 m/s.
     pub speed: Speed,
-    /// How high it flies.
+    /// How high it flies. Above 0 m, to 1 km.
     pub height: Length,
     /// Time between two decisions.
     pub period: Time,
@@ -74,6 +76,8 @@ impl Behavior for GradientBee {
 
     fn build(params: GradientBeeParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
         positive("speed", params.speed)?;
+        positive("height", params.height)?;
+        in_range("height", params.height, Length::ZERO..=Length::si(1000.0))?;
         positive("window", params.window)?;
         in_range("sharpness", params.sharpness, 0.0..=10.0)?;
         at_least_zero("stay", params.stay)?;
@@ -89,6 +93,7 @@ impl Behavior for GradientBee {
             deaf: false,
             left: SimTime::ZERO,
             trips: 0,
+            counts: false,
             params,
         })
     }
@@ -103,6 +108,10 @@ impl Behavior for GradientBee {
 
 impl GradientBee {
     fn decide(&mut self, bee: &mut Bee<'_>) {
+        if !self.counts {
+            self.counts = true;
+            bee.metric("claimed", 0.0, "1");
+        }
         match self.nose.smell(bee.now()) {
             Some(smell) => {
                 if self.deaf {

@@ -21,16 +21,27 @@ pub struct Beside {
 
 impl Paths {
     /// Reads one path a text: its bends, from the hive on, as `"0 m, 0 m; 20 m, 5 m; 50 m, 0 m"`, east
-    /// and north of the world's origin.
+    /// and north of the world's origin, to 10 km. All begin at one place, the hive.
     ///
     /// # Errors
-    /// No path, a path of less than two bends, a bend that is no pair of lengths, a leg of no length.
+    /// No path, a path of less than two bends, a bend that is no pair of lengths or lies too far
+    /// away, a leg of no length, paths that begin at different places.
     pub fn read(key: &'static str, texts: &[String]) -> Result<Self, BuildError> {
         if texts.is_empty() {
             return Err(BuildError::parameter(key, "must have a path or more"));
         }
         let paths: Result<_, BuildError> = texts.iter().map(|text| bends(key, text)).collect();
-        Ok(Self(paths?))
+        let paths: Vec<Vec<[f64; 2]>> = paths?;
+        if let Some(other) = paths.iter().find(|path| path[0] != paths[0][0]) {
+            let place = |[east, north]: [f64; 2]| format!("{east} m, {north} m");
+            let message = format!(
+                "begin at different places, `{}` and `{}`; all must begin at the hive",
+                place(paths[0][0]),
+                place(other[0])
+            );
+            return Err(BuildError::parameter(key, message));
+        }
+        Ok(Self(paths))
     }
 
     /// Where `place` lies beside the nearest path; of equals, the first.
@@ -70,12 +81,15 @@ impl Paths {
         ends.map(|[east, north]| Position::from_xyz(*east, *north, 0.0))
     }
 
-    /// Where the first path begins.
+    /// Where the paths begin.
     pub fn hive(&self) -> Position {
         let [east, north] = self.0[0][0];
         Position::from_xyz(east, north, 0.0)
     }
 }
+
+/// How far from the origin a bend may lie, along an axis.
+const HIGHEST_M: f64 = 10_000.0;
 
 /// The bends of one path.
 fn bends(key: &'static str, text: &str) -> Result<Vec<[f64; 2]>, BuildError> {
@@ -94,6 +108,11 @@ fn bends(key: &'static str, text: &str) -> Result<Vec<[f64; 2]>, BuildError> {
                 "the bend `{bend}`, which is not two lengths"
             )));
         };
+        if east.metres().abs().max(north.metres().abs()) > HIGHEST_M {
+            let what =
+                format!("the bend `{bend}`, which is more than 10 km from the world's origin");
+            return Err(wrong(what));
+        }
         let bend = [east.metres(), north.metres()];
         if bends
             .last()
@@ -150,6 +169,11 @@ mod tests {
             (&["0 m, 0 m; 3 s, 1 m"], "3 s"),
             (&["0 m, 0 m; 0 m, 0 m"], "no length"),
             (&[""], "bend"),
+            (&["0 m, 0 m; 1e300 m, 3 m"], "10 km"),
+            (
+                &["0 m, 0 m; 3 m, 0 m", "1 m, 0 m; 3 m, 0 m"],
+                "different places",
+            ),
         ] {
             let error = paths(texts).expect_err("no path").to_string();
             assert!(error.contains("`paths`") && error.contains(word), "{error}");

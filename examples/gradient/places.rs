@@ -19,7 +19,7 @@ pub struct BeaconFieldParams {
     /// From one beacon to the next, above 0 m. There are at most 100,000 beacons.
     pub spacing: Length,
     /// Standard deviation of each coordinate of a place around its point of the grid: beacons that were
-    /// dropped, not laid. 0 m or more.
+    /// dropped, not laid. 0 m to 10 km.
     pub scatter: Length,
     /// Which scatter.
     pub seed: u64,
@@ -44,7 +44,7 @@ impl Generator for BeaconField {
         positive("side", params.side)?;
         in_range("side", params.side, Length::ZERO..=highest)?;
         positive("spacing", params.spacing)?;
-        at_least_zero("scatter", params.scatter)?;
+        in_range("scatter", params.scatter, Length::ZERO..=highest)?;
         let half = (0.5 * params.side.metres() / params.spacing.metres() + 1e-9).floor();
         if half > 150.0 {
             let message = "is so small that there are more than 301 beacons to a side";

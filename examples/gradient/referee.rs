@@ -8,7 +8,8 @@ use simbeeotic::prelude::*;
 ///
 /// A trip is out to the end of a path and back to the hive, both within `reach`. At each of its looks it
 /// publishes, over all bees and since the start: `trips`; `trips/least`, those by the path that was taken
-/// least; `trip/time`, the mean time of a trip; `deviation` and `deviation/max`, the mean and the greatest
+/// least; `trip/time`, the mean time of a trip, from when the bee was last seen near the hive before it reached
+/// the path's end until it is there again; `deviation` and `deviation/max`, the mean and the greatest
 /// distance to the nearest path; `lost`, the share of time outside of the field. `deviation/now` and
 /// `lost/now` are the means over the bees at this instant.
 #[behavior("gradient-referee", host = Bodiless)]
@@ -53,10 +54,32 @@ impl Default for GradientRefereeParams {
 /// What a bee has done since it was last in the hive.
 struct Flight {
     bee: ModelId,
-    /// When it was last in the hive.
+    /// When it was last seen near the hive; before that, the start.
     left: SimTime,
     /// The path whose end it has reached since then.
     reached: Option<usize>,
+}
+
+impl Flight {
+    fn new(bee: ModelId) -> Self {
+        Self {
+            bee,
+            left: SimTime::ZERO,
+            reached: None,
+        }
+    }
+
+    /// Takes in whether the bee is near the hive, and near the end of which path. A trip that ends now: by
+    /// which path, and how long it took.
+    fn see(&mut self, home: bool, end: Option<usize>, now: SimTime) -> Option<(usize, Time)> {
+        if !home {
+            self.reached = self.reached.or(end);
+            return None;
+        }
+        let time = now - self.left;
+        self.left = now;
+        self.reached.take().map(|path| (path, time))
+    }
 }
 
 impl Behavior<Bodiless> for GradientReferee {
@@ -88,16 +111,11 @@ impl Behavior<Bodiless> for GradientReferee {
 impl GradientReferee {
     /// Finds the bees.
     fn gather(&mut self, cx: &mut Cx<'_>) {
-        let flight = |bee: &ModelId| Flight {
-            bee: *bee,
-            left: SimTime::ZERO,
-            reached: None,
-        };
         self.flights = cx
             .population()
             .of_kind(&self.params.kind)
             .iter()
-            .map(flight)
+            .map(|bee| Flight::new(*bee))
             .collect();
         if self.flights.is_empty() {
             cx.fault(format!("there is no `{}` to watch", self.params.kind));
@@ -141,20 +159,59 @@ impl GradientReferee {
             let way = (place - goal).si();
             way.truncate().length() <= self.params.reach.metres()
         };
-        let flight = &mut self.flights[at];
-        if near(self.paths.hive()) {
-            if let Some(path) = flight.reached.take() {
-                self.trips[path] += 1;
-                self.trip_time += now - flight.left;
-                flight.left = now;
-            }
-        } else if flight.reached.is_none() {
-            flight.reached = self.paths.ends().position(near);
+        let (home, end) = (near(self.paths.hive()), self.paths.ends().position(near));
+        if let Some((path, time)) = self.flights[at].see(home, end, now) {
+            self.trips[path] += 1;
+            self.trip_time += time;
         }
     }
 
     fn is_outside(&self, place: Position) -> bool {
         let way = (place - self.paths.hive()).si();
         way.x.abs().max(way.y.abs()) > 0.5 * self.params.side.metres()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The trips of a bee seen at these seconds: whether near the hive, and near which path's end.
+    fn trips(seen: &[(f64, bool, Option<usize>)]) -> Vec<(usize, f64)> {
+        let mut flight = Flight::new(ModelId(1));
+        let see = |&(at_s, home, end): &(f64, bool, Option<usize>)| {
+            let now = SimTime::from_time(Time::si(at_s)).expect("a time");
+            let (path, time) = flight.see(home, end, now)?;
+            Some((path, time.secs()))
+        };
+        seen.iter().filter_map(see).collect()
+    }
+
+    #[test]
+    fn time_in_the_hive_is_no_part_of_a_trip() {
+        let seen = [
+            (0.0, true, None),
+            (60.0, true, None),
+            (61.0, false, None),
+            (100.0, false, Some(1)),
+            (150.0, true, None),
+            (250.0, true, None),
+            (290.0, false, Some(0)),
+            (330.0, true, None),
+        ];
+        assert_eq!(trips(&seen), [(1, 90.0), (0, 80.0)]);
+    }
+
+    #[test]
+    fn an_excursion_that_turned_back_early_is_no_trip_and_adds_no_time() {
+        let seen = [
+            (0.0, true, None),
+            (40.0, false, None),
+            (80.0, true, None),
+            (120.0, false, Some(0)),
+            (125.0, false, Some(1)),
+            (160.0, true, None),
+        ];
+        assert_eq!(trips(&seen), [(0, 80.0)]);
     }
 }

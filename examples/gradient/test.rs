@@ -41,10 +41,38 @@ fn without_bias_they_scatter_and_make_no_trips() {
 }
 
 #[test]
+fn without_signal_strength_they_make_fewer_trips_and_fly_farther_off() {
+    let led = three(&gradient());
+    let alike = three(&gradient().set("model.bee.params.sharpness", 0));
+    let trips = [mean(&led, "trips"), mean(&alike, "trips")];
+    assert!(trips[0] > 1.5 * trips[1], "{trips:?}");
+    let off_m = [mean(&led, "deviation"), mean(&alike, "deviation")];
+    assert!(off_m[1] > 1.25 * off_m[0], "{off_m:?}");
+}
+
+#[test]
 fn beacons_that_are_too_far_apart_or_signals_too_uncertain_guide_nobody() {
     for (key, value) in [("variables.spacing", "40 m"), ("variables.noise", "12 dB")] {
         let trips = mean(&three(&gradient().set(key, value)), "trips");
         assert!(trips < 1.0, "{key} {value}: {trips}");
+    }
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_by_name() {
+    for (key, value, word) in [
+        ("model.bee.params.height", "-5 m", "`height`"),
+        ("model.beacon.params.period", "1 ns", "`period`"),
+        (
+            "variables.path_2",
+            "1 m, 0 m; 50 m, 0 m",
+            "different places",
+        ),
+        ("world.generate.scatter", "1e9 m", "`scatter`"),
+    ] {
+        let error = gradient().set(key, value).run().err();
+        let error = error.map(|error| error.to_string()).unwrap_or_default();
+        assert!(error.contains(word), "{key}: {error}");
     }
 }
 
