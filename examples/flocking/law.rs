@@ -16,7 +16,7 @@ pub struct Law {
     pub repulsion_gain: Frequency,
     /// `r0_frict`: up to here neighbours have to fly alike. 0 or more.
     pub friction_range: Length,
-    /// `C_frict`: which part of a difference in velocity is taken back at once, for each neighbour. 0 or more.
+    /// `C_frict`: which part of a difference in velocity is taken back at once, for each neighbour. 0 to 1.
     pub friction: f64,
     /// `v_frict`: a difference in velocity that does not matter. 0 or more.
     pub friction_slack: Speed,

@@ -20,7 +20,8 @@
 //! Systems* (2008), chapter 10. It stands still where `s = -w`. Without the integral that takes an error of
 //! `w T_p` that never goes away; with it the error goes to zero, and the integral is the wind, as far as this
 //! bee can know it. Near the wind's speed the drag answers within `1 / (2 k w)`; a reset time below that makes
-//! it swing (Routh's criterion for the three roots of equations 1 and 3).
+//! it swing (Routh's criterion for the three roots of equations 1 and 3). So in calm air, `w` near 0, it swings
+//! with any reset time, as far as the drag at the speed of its swing is too little to stop it.
 //!
 //! [`air_bee`] is the vehicle, equation 1. The law is [`HoldBee`].
 
