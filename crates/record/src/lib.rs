@@ -130,7 +130,7 @@ pub use export::{
     AirTable, ExportError, Exported, export_air, export_air_file, export_csv, export_csv_file,
     export_parquet, export_readings, export_readings_file,
 };
-pub use publish::publish;
+pub use publish::{publish, publishable};
 pub use recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 pub use recording::{ReadError, Recording};
 pub use selection::Selection;

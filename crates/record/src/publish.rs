@@ -40,6 +40,27 @@ pub fn publish<T, E: From<io::Error>>(
     written
 }
 
+/// Whether [`publish`] could write `path` now. It makes the file beside it, and removes it again; what is
+/// there and is no file is left alone.
+///
+/// # Errors
+/// A folder has this name, or no file can be made beside it.
+pub fn publishable(path: &Path) -> io::Result<()> {
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    match fs::metadata(path) {
+        Ok(there) if there.is_dir() => Err(io::Error::new(
+            io::ErrorKind::IsADirectory,
+            "this is a folder, and a file is wanted",
+        )),
+        Ok(there) if !there.is_file() => Ok(()),
+        _ => {
+            let part = part_of(path)?;
+            File::create_new(&part)?;
+            fs::remove_file(&part)
+        }
+    }
+}
+
 fn part_of(path: &Path) -> io::Result<PathBuf> {
     static COUNT: AtomicU32 = AtomicU32::new(0);
 
@@ -75,6 +96,19 @@ mod tests {
         assert!(failed.is_err());
         assert_eq!(fs::read(&path).expect("still there"), b"old");
         assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
+    }
+
+    #[test]
+    fn what_can_be_written_is_known_before_and_nothing_is_left_of_the_question() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("table");
+        publishable(&path).expect("it is not there yet");
+        fs::write(&path, "old").expect("written");
+        publishable(&path).expect("it is there");
+        assert_eq!(fs::read(&path).expect("still there"), b"old");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
+        assert!(publishable(folder.path()).is_err(), "a folder");
+        assert!(publishable(&folder.path().join("none/table")).is_err());
     }
 
     #[test]

@@ -70,6 +70,7 @@ pub(super) fn check_runs(
     if !replaceable(&table.path, ours) {
         return Err(refused("--output", &table.path, "no table of runs"));
     }
+    table.probe()?;
     let Some(folder) = record else { return Ok(()) };
     if folder.exists() && !folder.is_dir() {
         return Err(Failure::input(format!(

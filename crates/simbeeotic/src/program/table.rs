@@ -1,7 +1,7 @@
 //! A table of named columns as a file: Parquet, CSV or JSON, by the ending of its name.
 
 use super::Failure;
-use simbeeotic_record::{Column, Values, publish, write_table};
+use simbeeotic_record::{Column, Values, publish, publishable, write_table};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -57,10 +57,44 @@ impl TableFile {
         match self.format {
             Format::Parquet => write_table(path, columns).map_err(Failure::run),
             Format::Csv => publish(path, |file| csv(BufWriter::new(file), columns))
-                .map_err(|e| failed(self.flag, path, e)),
+                .map_err(|e| self.unwritten(e)),
             Format::Json => publish(path, |file| json(BufWriter::new(file), columns))
-                .map_err(|e| failed(self.flag, path, e)),
+                .map_err(|e| self.unwritten(e)),
         }
+    }
+
+    /// An error if it cannot be written as things are now.
+    pub(super) fn probe(&self) -> Result<(), Failure> {
+        publishable(&self.path).map_err(|e| failed(self.flag, &self.path, e))
+    }
+
+    /// Writes it; if that fails, keeps it in the folder of temporary files, or prints it. The error says
+    /// which.
+    pub(super) fn write_or_keep(&self, columns: &[Column]) -> Result<(), Failure> {
+        let Err(why) = self.write(columns) else {
+            return Ok(());
+        };
+        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
+        let elsewhere = Self {
+            flag: self.flag,
+            path: std::env::temp_dir().join(format!("{stem}-{}.csv", std::process::id())),
+            format: Format::Csv,
+        };
+        let place = match elsewhere.write(columns) {
+            Ok(()) => format!("is in {}", elsewhere.path.display()),
+            Err(_) => {
+                csv(io::stdout().lock(), columns).map_err(|e| self.unwritten(e))?;
+                "stands on standard output".to_owned()
+            }
+        };
+        Err(Failure::run(format!(
+            "{}; the table {place}",
+            why.message.trim_end()
+        )))
+    }
+
+    fn unwritten(&self, why: io::Error) -> Failure {
+        Failure::run(format!("{} {}: {why}", self.flag, self.path.display()))
     }
 }
 

@@ -215,6 +215,59 @@ fn run_takes_the_first_combination_and_says_so_and_check_looks_at_all() {
     good(program.call(&["run", "wrong.toml", "--no-record", "-q"]));
 }
 
+#[test]
+fn a_table_is_named_after_its_scenario() {
+    let program = Program::new();
+    program.write("scenario.toml", &format!("name = \"two bees\"\n{BEES}"));
+    let call = good(program.call(&["sweep", "scenario.toml", "--seeds", "1"]));
+    assert!(call.err.contains("wrote two-bees-runs.csv"), "{}", call.err);
+    assert_eq!(table(&program, "two-bees-runs.csv").len(), 5);
+}
+
+#[test]
+fn a_table_that_cannot_be_written_is_found_before_the_first_run() {
+    let program = program();
+    std::fs::create_dir(program.path("a.csv")).expect("a folder");
+    let call = program.call(&["sweep", "bees.toml", "-o", "a.csv", "--record", "runs"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(call.err.contains("this is a folder"), "{}", call.err);
+    assert!(!program.path("runs").exists(), "nothing ran");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_table_that_could_not_be_written_in_the_end_is_not_lost() {
+    let program = program();
+    // A device that takes no byte, like a disk that is full by now.
+    std::os::unix::fs::symlink("/dev/full", program.path("a.csv")).expect("a link");
+    good(program.call(&["sweep", "bees.toml", "-o", "b.csv", "-q"]));
+    let whole = std::fs::read_to_string(program.path("b.csv")).expect("a table");
+    let sweep = |folder: &str| {
+        let mut command = program.command();
+        command.env("TMPDIR", program.path(folder));
+        let output = command.args(["sweep", "bees.toml", "-o", "a.csv"]).output();
+        Call::from(output.expect("it starts"))
+    };
+    std::fs::create_dir(program.path("kept")).expect("a folder");
+    let call = sweep("kept");
+    assert_eq!(call.code, Some(1), "{}", call.err);
+    assert!(call.out.contains("mean ± half"), "{}", call.out);
+    assert!(call.err.contains("the table is in"), "{}", call.err);
+    let kept = std::fs::read_dir(program.path("kept")).expect("a folder");
+    let kept: Vec<_> = kept.map(|file| file.expect("a file").path()).collect();
+    assert_eq!(kept.len(), 1);
+    assert!(std::fs::read_to_string(&kept[0]).expect("a table") == whole);
+
+    let call = sweep("not-there");
+    assert_eq!(call.code, Some(1), "{}", call.err);
+    assert!(call.out.ends_with(&whole), "{}", call.out);
+    assert!(
+        call.err.contains("stands on standard output"),
+        "{}",
+        call.err
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_keeps_what_is_done() {

@@ -31,6 +31,9 @@ The table has one row a run: run, seed, the values that vary, trace_hash, ended,
 contacts, packets/sent, packets/received, energy/spent, and for each number that models publish NAME
 (the sum of their last values) and NAME/mean, with [units].";
 
+/// Letters of a scenario's name that name its table, at most.
+const NAME_LETTERS: usize = 60;
+
 /// What to run, how often, and where the table goes.
 #[derive(Args)]
 pub(super) struct SweepOptions {
@@ -47,7 +50,8 @@ pub(super) struct SweepOptions {
     /// same for any number [default: one for each core]
     #[arg(long, value_name = "N", value_parser = super::arguments::threads, allow_negative_numbers = true)]
     jobs: Option<usize>,
-    /// The table to write: .csv, .parquet or .json [default: the scenario's name, -runs.csv]
+    /// The table to write: .csv, .parquet or .json [default: NAME-runs.csv, after
+    /// the scenario's `name`, or its file if it has none]
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Record each run into this folder: run-0001.mcap, ... [default: nothing is recorded]
@@ -63,12 +67,17 @@ pub(super) struct SweepOptions {
 
 /// Runs all runs of a scenario.
 pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
-    let path = match &options.output {
-        Some(path) => path.clone(),
-        None => default_output(&options.scenario.scenario),
-    };
-    let file = TableFile::new("--output", &path)?;
+    let said = options.output.as_deref();
+    let said = said.map(|path| TableFile::new("--output", path));
+    let said = said.transpose()?;
     let loaded = input::load(&scenario(options), options.quiet)?;
+    let file = match said {
+        Some(file) => file,
+        None => {
+            let path = default_output(&loaded.plan().name, &options.scenario.scenario);
+            TableFile::new("--output", &path)?
+        }
+    };
     let Some(sweep) = loaded.sweep() else {
         return Err(Failure::input(format!(
             "{} does not say what varies: say it with --seeds 10 or --vary \"KEY=a,b,c\", or in its `[sweep]`",
@@ -93,10 +102,20 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
     }
     let done = runs::run(sweep, options)?;
     let rows = Rows::of(sweep, done.rows);
-    file.write(&rows.columns())?;
+    if done.interrupted && rows.len() == 0 {
+        // What an earlier sweep wrote is worth more than a line of names.
+        remark("interrupted: no run is done, and nothing is written");
+        return Err(Failure::interrupted());
+    }
+    // A reader that has gone away must not cost the table.
+    let printed = match options.quiet {
+        true => Ok(()),
+        false => say(report::means(sweep, &rows).trim_end()),
+    };
+    file.write_or_keep(&rows.columns())?;
+    printed?;
     if !options.quiet {
-        say(report::means(sweep, &rows).trim_end())?;
-        remark(format!("wrote {}", path.display()));
+        remark(format!("wrote {}", file.path.display()));
     }
     match (done.interrupted, rows.failed()) {
         (true, _) => {
@@ -130,12 +149,19 @@ fn scenario(options: &SweepOptions) -> ScenarioOptions {
     scenario
 }
 
-fn default_output(scenario: &Path) -> PathBuf {
+/// The table that no option names: `NAME-runs.csv`, after the scenario's name as far as it is fit for a file's,
+/// or its file if it has none.
+fn default_output(name: &str, scenario: &Path) -> PathBuf {
+    let fit = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | '.');
+    let words = name.split(|letter| !fit(letter));
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let name: String = words.join("-").chars().take(NAME_LETTERS).collect();
     let stem = scenario.file_stem().map(|stem| stem.to_string_lossy());
-    PathBuf::from(format!(
-        "{}-runs.csv",
-        stem.as_deref().unwrap_or("scenario")
-    ))
+    let name = match name.trim_matches('.') {
+        "" => stem.as_deref().unwrap_or("scenario"),
+        name => name,
+    };
+    PathBuf::from(format!("{name}-runs.csv"))
 }
 
 /// The recording of a run, counted from 0.
@@ -181,5 +207,26 @@ pub(super) fn said(sweep: &Sweep, run: usize) -> String {
     match all.is_empty() {
         true => String::new(),
         false => format!(" ({})", all.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_named_after_the_scenario_and_stays_in_this_folder() {
+        let file = Path::new("examples/hive/scenario.toml");
+        for (name, table) in [
+            ("hive", "hive-runs.csv"),
+            ("", "scenario-runs.csv"),
+            ("../..", "scenario-runs.csv"),
+            ("a/b: the *third*", "a-b-the-third-runs.csv"),
+            ("Bienenstöcke, 2", "Bienenstöcke-2-runs.csv"),
+        ] {
+            assert_eq!(default_output(name, file), Path::new(table), "{name}");
+        }
+        let long = default_output(&"é".repeat(4000), file);
+        assert!(long.as_os_str().len() < 200);
     }
 }
