@@ -102,9 +102,12 @@ impl Translation {
         let mut seen: Vec<&str> = Vec::new();
         for prop in properties.children("prop") {
             self.check(prop, &["name", "value"], &[], &[]);
-            let written = prop.attribute("value").map_or("", |text| &text.text);
-            let varying = self.variables.varying(written).map(str::to_owned);
-            let (name, value) = (prop.attribute("name"), self.required(prop, "value"));
+            let written = prop.attribute("value").cloned();
+            let value = match &written {
+                Some(text) => Some(self.replace(text)),
+                None => self.required(prop, "value"),
+            };
+            let name = prop.attribute("name");
             let Some(name) = name else {
                 self.required(prop, "name");
                 continue;
@@ -116,12 +119,12 @@ impl Translation {
                 continue;
             }
             seen.push(&name.text);
-            self.varying = varying;
+            self.written = written;
             match found.class {
                 Some(class) => self.property(class, name, &value, &mut settings),
                 None => self.foreign_property(found.part, name, &value, &mut settings),
             }
-            self.varying = None;
+            self.written = None;
         }
         settings
     }
@@ -144,7 +147,7 @@ impl Translation {
             }
             To::Component(key, at, unit) => {
                 if let Some(node) = self.quantity(value, unit) {
-                    let node = self.varied(node, unit);
+                    let node = self.property_varied(node, unit);
                     put_component(&mut settings.params, key, *at, unit, name.span, node);
                 }
             }
@@ -173,27 +176,31 @@ impl Translation {
         let value = match how {
             As::Unit(unit) => {
                 let node = self.quantity(text, unit)?;
-                return Some(self.varied(node, unit));
+                return Some(self.property_varied(node, unit));
             }
             As::Whole => Value::Integer(self.whole(text)?),
             As::Number => Value::Float(self.number(text)?),
             As::Flag => Value::Bool(self.flag(text)?),
             As::Text => Value::String(text.text.clone()),
         };
-        Some(self.varied(Node::new(text.span, value), ""))
+        Some(self.property_varied(Node::new(text.span, value), ""))
     }
 
     /// The value, or the placeholder of the variable that varies it.
-    fn varied(&self, node: Node, unit: &str) -> Node {
-        match (&self.varying, unit) {
-            (None, _) => node,
-            (Some(name), "") => Node::string(node.span, format!("${{{name}}}")),
-            (Some(name), unit) => Node::string(node.span, format!("${{{name}}} {unit}")),
+    fn property_varied(&self, node: Node, unit: &str) -> Node {
+        match &self.written {
+            Some(written) => self.varied(written, node, unit),
+            None => node,
         }
     }
 
     fn cannot_vary(&mut self, name: &Text) {
-        if self.varying.is_some() {
+        let written = self.written.iter();
+        if written
+            .filter_map(|w| self.variables.varying(&w.text))
+            .next()
+            .is_some()
+        {
             let message = format!("`{}` does not vary here: its first value counts", name.text);
             self.warn(name.span, message);
         }
@@ -225,7 +232,7 @@ impl Translation {
         let value_node = match (unit.as_deref(), kind.as_deref()) {
             (Some(unit), _) if number(&value.text).is_some() => {
                 let node = self.quantity(value, unit);
-                node.map(|node| self.varied(node, unit))
+                node.map(|node| self.property_varied(node, unit))
             }
             (None, Some("boolean")) => self.value(value, &As::Flag),
             (None, Some("integer")) => self.value(value, &As::Whole),

@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 pub(crate) struct Translation {
     pub(crate) faults: Vec<Fault>,
     pub(crate) variables: Variables,
-    /// The variable that varies the property that is being read.
-    pub(crate) varying: Option<String>,
+    /// The text of the property that is being read, before its placeholder was replaced.
+    pub(crate) written: Option<Text>,
     said: BTreeSet<&'static str>,
 }
 
@@ -19,7 +19,7 @@ impl Translation {
         Self {
             faults: Vec::new(),
             variables,
-            varying: None,
+            written: None,
             said: BTreeSet::new(),
         }
     }
@@ -92,8 +92,18 @@ impl Translation {
         });
     }
 
-    /// The text with its placeholder, if it is one, replaced by its variable's value.
+    /// The text of a place that does not vary, as [`Self::replace`] gives it; a warning if its variable does.
     pub(crate) fn resolve(&mut self, text: &Text) -> Text {
+        let value = self.replace(text);
+        if let Some(name) = self.variables.varying(&text.text) {
+            let message = format!("`{name}` does not vary here: its first value counts");
+            self.warn(text.span, message);
+        }
+        value
+    }
+
+    /// The text with its placeholder, if it is one, replaced by its variable's value.
+    pub(crate) fn replace(&mut self, text: &Text) -> Text {
         match self.variables.resolve(text, &mut self.faults) {
             Some(value) => Text {
                 text: value,
@@ -176,6 +186,15 @@ impl Translation {
         Some(Node::string(text.span, format!("{number} {unit}")))
     }
 
+    /// What was read of a text, or the placeholder of the variable that varies it.
+    pub(crate) fn varied(&self, text: &Text, node: Node, unit: &str) -> Node {
+        match (self.variables.varying(&text.text), unit) {
+            (None, _) => node,
+            (Some(name), "") => Node::string(node.span, format!("${{{name}}}")),
+            (Some(name), unit) => Node::string(node.span, format!("${{{name}}} {unit}")),
+        }
+    }
+
     /// The attributes `x`, `y` and `z` of an element as quantities.
     pub(crate) fn vector(&mut self, element: &Element, unit: &str, need_z: bool) -> Option<Node> {
         self.check(element, &["x", "y", "z"], &[], &[]);
@@ -186,15 +205,17 @@ impl Translation {
     }
 
     fn component(&mut self, element: &Element, axis: &str, unit: &str, need: bool) -> Option<Node> {
-        let text = match self.optional(element, axis) {
-            Some(text) => text,
+        let text = match element.attribute(axis) {
+            Some(text) => text.clone(),
             None if need => return self.required(element, axis).and(None),
             None => Text {
                 text: "0".into(),
                 span: element.span,
             },
         };
-        self.quantity(&text, unit)
+        let value = self.replace(&text);
+        let node = self.quantity(&value, unit)?;
+        Some(self.varied(&text, node, unit))
     }
 }
 

@@ -154,6 +154,10 @@ impl Scenario {
         let mut faults = std::mem::take(&mut self.t.faults);
         let values = self.t.variables.values(definition, 0, &mut faults);
         self.t.faults = faults;
+        if self.t.variables.hangs(definition) {
+            let message = "these seeds hang on a variable that varies; here they are those of its first value";
+            self.t.warn(definition.name.span, message);
+        }
         let mut seeds = Vec::new();
         for text in values? {
             let span = definition.name.span;
@@ -189,13 +193,14 @@ impl Scenario {
                 );
             }
             Some(end) => {
-                if let Some(text) = self.t.content(end)
-                    && let Some(seconds) = self.t.number(&text)
-                {
+                self.t.check(end, &[], &[], &[]);
+                let text = self.t.replace(&end.text);
+                if let Some(seconds) = self.t.number(&text) {
                     if seconds.fract() != 0.0 {
                         self.t.note_once(text.span, END_TIME);
                     }
                     let node = Node::string(text.span, format!("{seconds} s"));
+                    let node = self.t.varied(&end.text, node, "s");
                     put(&mut run, "end_time", end.name.span, node);
                 }
             }
@@ -243,15 +248,13 @@ impl Scenario {
         if let Some(name) = names.unique(&mut self.t, element, found.part.label.name, found.span) {
             put(&mut table, "name", name.span, name);
         }
-        if let Some(text) = self.t.optional(element, "count")
-            && let Some(count) = self.t.whole(&text)
-        {
-            put(
-                &mut table,
-                "count",
-                text.span,
-                Node::new(text.span, Value::Integer(count)),
-            );
+        if let Some(text) = element.attribute("count") {
+            let value = self.t.replace(text);
+            if let Some(count) = self.t.whole(&value) {
+                let node = Node::new(text.span, Value::Integer(count));
+                let node = self.t.varied(text, node, "");
+                put(&mut table, "count", text.span, node);
+            }
         }
         if let Some(start) = self.start(element, nested, &settings) {
             put(&mut table, "start", start.span, start);

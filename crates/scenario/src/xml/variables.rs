@@ -154,7 +154,7 @@ impl Variables {
             let key = |text: String| Key { text, span };
             match (several, &variable.state) {
                 (Several::Values(values), State::Known(value)) => {
-                    first.insert(key(name.clone()), Node::new(span, typed(value)));
+                    first.insert(key(name.clone()), Node::new(span, plain(value)));
                     vary.insert(key(format!("{VARIABLES}.{name}")), values.clone());
                 }
                 (Several::Made(text), _) => first.insert(key(name.clone()), text.clone()),
@@ -234,19 +234,17 @@ impl Variables {
         faults: &mut Vec<Fault>,
     ) -> Option<Several> {
         let span = definition.span;
-        let texts = definition.attributes.iter().map(|a| &a.value);
-        let inner = definition.children("value").map(|v| &v.text);
-        let hangs = texts.chain(inner).any(|t| self.varying(&t.text).is_some());
+        let hangs = self.hangs(definition);
         if values.len() < 2 && !hangs {
             return None;
         }
         // A placeholder of what varies stays one.
         let node = |text: &Text| match self.varying(&text.text) {
             Some(name) => Node::string(text.span, format!("${{{name}}}")),
-            None => Node::new(text.span, typed(&self.known(text))),
+            None => Node::new(text.span, plain(&self.known(text))),
         };
         let listed = || {
-            let node = |value: &String| Node::new(span, typed(value));
+            let node = |value: &String| Node::new(span, plain(value));
             Several::Values(Node::new(
                 span,
                 Value::Array(values.iter().map(node).collect()),
@@ -278,6 +276,15 @@ impl Variables {
             }
             _ => listed(),
         })
+    }
+
+    /// Whether a definition names a variable that varies.
+    pub(crate) fn hangs(&self, definition: &Element) -> bool {
+        let texts = definition.attributes.iter().map(|a| &a.value);
+        let inner = definition.children("value").map(|v| &v.text);
+        texts
+            .chain(inner)
+            .any(|text| self.varying(&text.text).is_some())
     }
 
     /// What a text stands for, if all its variables are known.
@@ -317,6 +324,15 @@ impl Variables {
                 return None;
             }
         })
+    }
+}
+
+/// A variable's value for a tree: a number that only Java writes so (`2.5f`) as a plain one.
+fn plain(text: &str) -> Value {
+    match (typed(text), whole(text), number(text)) {
+        (Value::String(_), Some(whole), _) => Value::Integer(whole),
+        (Value::String(_), None, Some(number)) => Value::Float(number),
+        (value, _, _) => value,
     }
 }
 

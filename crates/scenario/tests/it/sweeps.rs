@@ -332,3 +332,50 @@ fn faults_of_old_variables_are_told_at_their_lines() {
     let text = render::faults(&rejected.faults, &rejected.sources, false);
     assert!(text.contains("looping.xml:"), "{text}");
 }
+
+#[test]
+fn what_an_old_scenario_varies_outside_of_properties_varies_too() {
+    let varied = LOOPING
+        .replace("count=\"2\"", "count=\"${n}\"")
+        .replace("<end-time>1<", "<end-time> ${t} <")
+        .replace(
+            "      <java-class>",
+            "      <start-position x=\"${n}\" y=\"0\" z=\"${t}\"/>\n      <java-class>",
+        )
+        .replace(
+            "<looping><variables>",
+            "<looping><variables>\n<variable name=\"n\"><each><value>1</value><value>3d</value></each></variable>\
+             \n<variable name=\"t\"><for from=\"1.5f\" to=\"2d\" step=\"0.5\"/></variable>",
+        );
+    let loaded = good("looping.xml", &varied);
+    let sweep = loaded.sweep().expect("a sweep");
+    assert_eq!(sweep.len(), 4 * 90);
+    assert!(sweep.check().is_ok());
+    let last = sweep.load(4 * 90 - 1).unwrap_or_else(|_| panic!("good"));
+    assert_eq!(last.setup().expect("good").models.len(), 3);
+    let toml = last.toml();
+    for line in ["end_time = \"2 s\"", "start = [\"3 m\", \"0 m\", \"2 m\"]"] {
+        assert!(toml.contains(line), "{line}: {toml}");
+    }
+}
+
+#[test]
+fn what_cannot_vary_in_an_old_scenario_says_so_at_its_place() {
+    let still = LOOPING
+        .replace(
+            "<constant value=\"7\"/>",
+            "<variable><for from=\"1\" to=\"${n}\"/></variable>",
+        )
+        .replace("</end-time>", "</end-time><epoch>${n}</epoch>")
+        .replace(
+            "<looping><variables>",
+            "<looping><variables><variable name=\"n\"><each><value>2</value><value>3</value></each></variable>",
+        );
+    let loaded = good("looping.xml", &still);
+    let said = render::faults(loaded.faults(), loaded.sources(), false);
+    assert!(said.contains("these seeds hang on a variable"), "{said}");
+    assert!(said.contains("`n` does not vary here"), "{said}");
+    for place in ["looping.xml:2:27", "looping.xml:3:44"] {
+        assert!(said.contains(place), "{place} {said}");
+    }
+}
