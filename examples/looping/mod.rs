@@ -45,11 +45,12 @@ impl SwarmRuler {
         let places: Vec<[f64; 3]> = bees
             .filter_map(|id| Some(cx.pose_of(*id)?.position.si().to_array()))
             .collect();
-        cx.metric("spread", spread_m(&places), "m"); // NaN, if there are no bees, is no value
+        cx.metric("spread", spread_m(&places), "m"); // NaN, of fewer than two bees, is no value
     }
 }
 
-/// The root of the mean squared distance of places from their middle, seen from above.
+/// The root of the mean squared distance of places from their middle, seen from above. The middle is of the
+/// same places, so the squares are divided by one less than there are: their mean is then that of any number.
 fn spread_m(places: &[[f64; 3]]) -> f64 {
     let count = places.len() as f64;
     let variance = |axis: usize| {
@@ -57,7 +58,7 @@ fn spread_m(places: &[[f64; 3]]) -> f64 {
         let squares = places
             .iter()
             .map(|place| (place[axis] - middle) * (place[axis] - middle));
-        squares.sum::<f64>() / count
+        squares.sum::<f64>() / (count - 1.0)
     };
     (variance(0) + variance(1)).sqrt()
 }

@@ -1,4 +1,4 @@
-//! That the spread falls as bees turn more, at either pace; that their number does not change it; what the sweep
+//! That the spread falls as bees turn more, at either pace; that their number hardly changes it; what the sweep
 //! is, and that it repeats.
 
 use super::spread_m;
@@ -67,9 +67,25 @@ fn the_ruler_measures_known_swarms() {
         [0.0, 1.0, 5.0],
         [0.0, -1.0, 5.0],
     ];
-    assert_eq!(spread_m(&corners), 1.0);
-    assert_eq!(spread_m(&[[3.0, 4.0, 5.0]]), 0.0);
+    assert_eq!(spread_m(&corners), (4.0_f64 / 3.0).sqrt());
+    assert_eq!(spread_m(&[[3.0, 4.0, 5.0], [3.0, 4.0, 9.0]]), 0.0);
+    assert!(spread_m(&[[3.0, 4.0, 5.0]]).is_nan());
     assert!(spread_m(&[]).is_nan());
+}
+
+#[test]
+fn the_spread_hangs_on_no_number_of_bees() {
+    // Of all pairs of places the mean square is that of the whole: exact for `n - 1`, wrong by half for `n`.
+    let all: Vec<[f64; 3]> = (0..20_u32)
+        .map(|i| [f64::from(i * i % 17), f64::from(i * 7 % 19), 1.0])
+        .collect();
+    let mut squares = Vec::new();
+    for (at, a) in all.iter().enumerate() {
+        squares.extend(all[..at].iter().map(|b| spread_m(&[*a, *b]).powi(2)));
+    }
+    let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+    let whole = spread_m(&all).powi(2);
+    assert!((mean - whole).abs() < 1e-9 * whole, "{mean} and {whole}");
 }
 
 #[test]
