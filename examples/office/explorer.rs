@@ -10,7 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Explores a building by the swarm gradient bug algorithm, as the module says. It needs sensors called
 /// `ring` (with a rate, which is that of its decisions), `compass`, `flow`, `height`, `position` and
-/// `person`, and a radio.
+/// `person` (which must look straight down), and a radio. It publishes `contacts`, and `landed` when it believes
+/// itself home.
 #[behavior("office-explorer")]
 pub struct Explorer {
     params: ExplorerParams,
@@ -170,6 +171,11 @@ impl Behavior for Explorer {
     type Params = ExplorerParams;
 
     fn build(params: ExplorerParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+        let [outside, inside] = params.entrance;
+        if outside == inside {
+            let message = "its two places must differ: outside, inside";
+            return Err(BuildError::parameter("entrance", message));
+        }
         positive("speed", params.speed)?;
         positive("level", params.level)?;
         positive("gap", params.gap)?;
@@ -321,7 +327,7 @@ impl Explorer {
         };
         if self.home && self.task != Task::Land && now_dbm >= self.params.at_home.dbm() {
             self.task = Task::Land;
-            bee.metric("returned", 1.0, "1");
+            bee.metric("landed", 1.0, "1");
         }
         match self.sample {
             Some((from, was_dbm)) if place.distance(from) >= SAMPLE_M => {

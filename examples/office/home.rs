@@ -74,11 +74,18 @@ impl Beacon {
     }
 }
 
+/// Who is lower than this lies, m.
+const LYING_M: f64 = 0.3;
+
 /// Notes which rooms an [`Explorer`](super::Explorer) has been in: those places of the world whose names
-/// begin with `room`. It publishes `rooms`, and takes no part.
+/// begin with `room`. It publishes `rooms`, and `returned`: how many lie within `home` of the beacon, having been
+/// farther away. It takes no part.
 #[behavior("office-referee", host = Bodiless)]
 pub struct Referee {
     visited: BTreeSet<usize>,
+    home_m: f64,
+    /// Who has been away.
+    gone: BTreeSet<ModelId>,
 }
 
 /// Parameters of [`Referee`].
@@ -86,12 +93,15 @@ pub struct Referee {
 pub struct RefereeParams {
     /// Time between two looks.
     pub period: Time,
+    /// Who lies as near to the beacon as this is back. Above 0.
+    pub home: Length,
 }
 
 impl Default for RefereeParams {
     fn default() -> Self {
         Self {
             period: Time::from_millis(500.0),
+            home: Length::si(6.0),
         }
     }
 }
@@ -100,9 +110,12 @@ impl Behavior<Bodiless> for Referee {
     type Params = RefereeParams;
 
     fn build(params: RefereeParams, kit: &mut Kit<Self, Bodiless>) -> Result<Self, BuildError> {
+        positive("home", params.home)?;
         kit.every(params.period, Self::look);
         Ok(Self {
             visited: BTreeSet::new(),
+            home_m: params.home.metres(),
+            gone: BTreeSet::new(),
         })
     }
 }
@@ -119,5 +132,25 @@ impl Referee {
         let now: Vec<usize> = now.map(|(at, _)| at).collect();
         self.visited.extend(now);
         cx.metric("rooms", self.visited.len() as f64, "1");
+        self.count_home(cx);
+    }
+
+    fn count_home(&mut self, cx: &mut Cx<'_>) {
+        let beacon = cx.population().of_kind("office-beacon").first().copied();
+        let Some(home) = beacon.and_then(|id| cx.pose_of(id)) else {
+            return;
+        };
+        let mut back = 0.0;
+        for id in cx.population().of_kind("office-explorer") {
+            let Some(pose) = cx.pose_of(*id) else {
+                continue;
+            };
+            if pose.position.distance(home.position).metres() > self.home_m {
+                self.gone.insert(*id);
+            } else if self.gone.contains(id) && pose.position.si().z < LYING_M {
+                back += 1.0;
+            }
+        }
+        cx.metric("returned", back, "1");
     }
 }

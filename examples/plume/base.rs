@@ -121,9 +121,12 @@ impl Base {
     }
 
     fn tell(&self, claim: Claim, base: &mut Platform<'_>) {
-        let referee = self.params.referee.as_deref();
-        if let Some(referee) = referee.and_then(|path| base.find(path)) {
-            base.tell(referee, claim);
+        let Some(path) = self.params.referee.as_deref() else {
+            return;
+        };
+        match base.find(path) {
+            Some(referee) => base.tell(referee, claim),
+            None => base.fault(format!("no model is called {path:?}, its `referee`")),
         }
     }
 }

@@ -17,6 +17,8 @@ pub struct Tracer {
     /// Level that it flies at, m above ground.
     level_m: f64,
     place: DVec2,
+    /// Whether it has had a fix: before that it knows no place to tell of.
+    placed: bool,
     /// The wind as it believes it is, the mean of late, m/s.
     wind: DVec2,
     /// The strongest smell of late, which fades.
@@ -172,6 +174,7 @@ impl Behavior for Tracer {
         Ok(Self {
             level_m: (params.level + params.spacing * f64::from(own)).metres(),
             place: DVec2::ZERO,
+            placed: false,
             wind: -params.forecast.along(Speed::si(1.0)).si().truncate(),
             peak: 0.0,
             hits: 0,
@@ -189,7 +192,10 @@ impl Behavior for Tracer {
 
     fn on_packet(&mut self, packet: &Packet<'_>, _bee: &mut Bee<'_>) {
         match Word::decode(packet.payload()) {
-            Some(Word::Found) => self.task = Task::Home,
+            Some(Word::Found) => {
+                self.task = Task::Home;
+                self.declared = None;
+            }
             Some(Word::Smelled(place)) if self.params.cooperate => self.called(place),
             _ => {}
         }
@@ -219,7 +225,7 @@ impl Tracer {
     fn step(&mut self, bee: &mut Bee<'_>) {
         let heading = bee.read(self.gear.compass);
         self.look(heading, bee);
-        if self.task != Task::Home && self.smells(bee) {
+        if self.task != Task::Home && self.smells(bee) && self.placed {
             self.hit(bee);
         }
         let wanted = self.decide(bee).extend(self.climb(bee));
@@ -233,6 +239,7 @@ impl Tracer {
             return;
         };
         self.place = fix.position.si().truncate();
+        self.placed = true;
         if self.params.measure_wind {
             let past = bee.read(self.gear.anemometer);
             let past = Attitude::from_heading(heading).rotate(past);

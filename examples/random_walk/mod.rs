@@ -55,11 +55,11 @@ pub struct RoamingBeeParams {
     pub turn_sigma: Angle,
     /// How fast it climbs and sinks, at most.
     pub climb: Speed,
-    /// Lower above what is below it than this, it climbs.
+    /// Lower above what is below it than this, it climbs. 0 to `ceiling`.
     pub floor: Length,
     /// Higher than this, it sinks.
     pub ceiling: Length,
-    /// From what is nearer ahead than this it turns away.
+    /// From what is nearer ahead than this it turns away. 0 or more.
     pub margin: Length,
     /// How long it climbs after a touch from below.
     pub rise: Time,
@@ -88,6 +88,12 @@ impl Behavior for RoamingBee {
         at_least_zero("turn_sigma", params.turn_sigma)?;
         at_least_zero("climb", params.climb)?;
         at_least_zero("rise", params.rise)?;
+        at_least_zero("margin", params.margin)?;
+        at_least_zero("floor", params.floor)?;
+        if params.floor > params.ceiling {
+            let message = format!("must be at most the `ceiling`, {}", params.ceiling);
+            return Err(BuildError::parameter("floor", message));
+        }
         kit.every(params.step, Self::step);
         Ok(Self {
             below: kit.sensor("range-bottom")?,

@@ -28,7 +28,7 @@ pub struct RelayBase {
 /// Parameters of [`RelayBase`].
 #[params]
 pub struct RelayBaseParams {
-    /// Time between two reports of the explorer. Above 0.
+    /// Time between two reports of the explorer: its `report`. If they differ, `delivered` is wrong. Above 0.
     pub expected: Time,
 }
 

@@ -2,10 +2,11 @@
 
 use super::guide::Guide;
 use super::node::{Node, beacons};
-use super::trail::Trail;
-use super::wire::{Message, Report};
+use super::trail::{LONGEST_M, Trail};
+use super::wire::{FARTHEST_M, Message, Report};
 use simbeeotic::prelude::*;
 use simbeeotic::units::glam::DVec2;
+use std::collections::BTreeSet;
 
 /// An explorer that flies along its route, tells its trail, and reports to the base over whoever is behind it.
 /// It needs a radio, and a sensor called `gnss`.
@@ -20,20 +21,22 @@ pub struct RelayExplorer {
     beat: TimerHandle,
     route: Trail,
     reports: u16,
-    words: u32,
+    /// Numbers of the reports that the base has answered.
+    words: BTreeSet<u16>,
     heard: Option<SimTime>,
 }
 
 /// Parameters of [`RelayExplorer`].
 #[params]
 pub struct RelayExplorerParams {
-    /// Where it flies, in straight lines; the first is the base's place. Heights do not count. Two or more.
+    /// Where it flies, in straight lines; the first is the base's place. Heights do not count. Two or
+    /// more, each within 3,200 m of the origin; 1,270 m long together at most, since a packet numbers crumbs by a byte.
     pub route: Vec<Position>,
     /// How high it flies.
     pub height: Length,
     /// How fast it flies. Above 0.
     pub speed: Speed,
-    /// Time between two reports. Above 0.
+    /// Time between two reports; the base's `expected` has to say the same. Above 0.
     pub report: Time,
     /// It flies on only while the last word of the base is not older than this. Without it, it flies on
     /// whether it is heard or not.
@@ -74,8 +77,12 @@ impl Behavior for RelayExplorer {
         positive("height", params.height)?;
         positive("speed", params.speed)?;
         positive("report", params.report)?;
+        if let Some(leash) = params.leash {
+            at_least_zero("leash", leash)?;
+        }
         let places = params.route.iter().map(|place| place.si().truncate());
         let places: Vec<DVec2> = places.collect();
+        check_route(&places)?;
         let mut node = Node::new(kit.radio()?, beacons(), kit.stream("beacons"))?;
         let beat = kit.once(node.first(), Self::beat);
         kit.every(Time::from_secs(STEP_S), Self::step);
@@ -89,7 +96,7 @@ impl Behavior for RelayExplorer {
             beat,
             route: Trail::over(&places),
             reports: 0,
-            words: 0,
+            words: BTreeSet::new(),
             heard: None,
         })
     }
@@ -101,11 +108,28 @@ impl Behavior for RelayExplorer {
     }
 
     fn on_packet(&mut self, packet: &Packet<'_>, bee: &mut Bee<'_>) {
-        if let Some(Message::Word(_)) = self.node.hear(packet, bee) {
-            self.words += 1;
+        if let Some(Message::Word(number)) = self.node.hear(packet, bee) {
+            self.words.insert(number);
             self.heard = Some(bee.now());
-            bee.metric("words", f64::from(self.words), "1");
+            bee.metric("words", self.words.len() as f64, "1");
         }
+    }
+}
+
+/// Refuses what a trail or a packet cannot hold.
+fn check_route(places: &[DVec2]) -> Result<(), BuildError> {
+    let refuse = |message| Err(BuildError::parameter("route", message));
+    let length_m: f64 = places.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
+    if length_m > LONGEST_M {
+        let message = format!("is {length_m:.0} m long; it may be {LONGEST_M:.0} m at most");
+        return refuse(message);
+    }
+    let far_m = |place: &DVec2| place.abs().max_element();
+    match places.iter().map(far_m).fold(0.0, f64::max) {
+        far_m if far_m > FARTHEST_M => refuse(format!(
+            "has a place {far_m:.0} m from the origin, east or north; {FARTHEST_M:.0} m is the most"
+        )),
+        _ => Ok(()),
     }
 }
 

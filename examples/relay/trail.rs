@@ -6,6 +6,8 @@ use simbeeotic::units::glam::DVec2;
 pub(super) const STEP_M: f64 = 5.0;
 /// A trail has no more crumbs than a byte can number.
 const CRUMBS_MAX: usize = 255;
+/// So it is no longer than this, m.
+pub(super) const LONGEST_M: f64 = (CRUMBS_MAX - 1) as f64 * STEP_M;
 
 /// A way, as far as it is known, from the base on.
 #[derive(Clone, Debug, Default)]

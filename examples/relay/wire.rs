@@ -9,6 +9,8 @@ const WORD: u8 = 0xe3;
 
 /// A step of a place on the air, m.
 const PLACE_M: f64 = 0.1;
+/// A place is no farther from the origin than this, m, east or north: 16 bits of it, and some to spare.
+pub(super) const FARTHEST_M: f64 = 3200.0;
 /// Steps of a cost on the air, in one transmission.
 const COST_STEPS: f64 = 64.0;
 /// What stands for no place on the trail yet, and for no way to the base.
