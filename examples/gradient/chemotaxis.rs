@@ -12,7 +12,7 @@
 //! On a steady climb `m` lags behind `u` by `memory` times the rate of climb, so (1) is the rate of climb.
 //! A run that climbs is long (`up` is small), one that descends is short, and that alone makes the walk
 //! drift upwards. With `bias = 0` the rate is halfway between `up` and `down` wherever it flies: the
-//! same walk, blind.
+//! same angles, blind, and runs of less than a second; smaller `down` makes them longer.
 //!
 //! Source: H. C. Berg and D. A. Brown, *Chemotaxis in Escherichia coli analysed by three-dimensional
 //! tracking*, Nature 239, 500-504, 1972: runs of about a second, longer up the gradient; turns of

@@ -2,8 +2,8 @@
 //! 2012, section 5.2, Figure 10), whose code was never published.
 //!
 //! Beacons lie on the ground, around a hive. Each broadcasts its value twice a second. Bees that know
-//! neither where they are nor where a packet comes from travel by these packets alone from the hive to the edge
-//! of the field, along one of two preferred paths, and back.
+//! neither where they are nor from which direction a packet comes travel by these packets alone from the hive
+//! to the edge of the field, along one of two preferred paths, and back.
 //!
 //! # The value
 //!
@@ -40,10 +40,17 @@
 //! # What is left to chance
 //!
 //! The air is `ieee802154`: beacons speak at random phases, wait for a free channel and collide. It costs no more
-//! than `simple` here, and is true as well where beacons lie close. It draws no noise of its own that matters
+//! than `simple` of equal reach, and is true as well where beacons lie close. It draws no noise of its own that matters
 //! at these distances, so noise is what a field has: shadowing, a normal number of decibels for each place
 //! of a bee and a beacon, correlated over 10 m (`noise` in the scenario). A longer mean does not remove it, only
 //! flying on does.
+//!
+//! Exact here, and not in a field: a beacon's place when its value was written, the received power that a bee
+//! reads (a CC2420 tells whole decibels, and errs by up to 6), and the flight, which holds its direction without
+//! a compass (`vehicle.turn_sigma` and `vehicle.direction_sigma` are 0).
+//!
+//! Beacons' antennas are 5 cm above the ground. `two-ray` is a choice of simplicity, as in textbooks: nearer than
+//! the crossover, some 15 m between a beacon and a bee 3 m high, it is free space. `two-ray-exact` sums both rays everywhere.
 //!
 //! # Delay
 //!
