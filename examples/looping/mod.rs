@@ -58,7 +58,7 @@ fn spread_m(places: &[[f64; 3]]) -> f64 {
         let squares = places
             .iter()
             .map(|place| (place[axis] - middle) * (place[axis] - middle));
-        squares.sum::<f64>() / (count - 1.0)
+        squares.sum::<f64>() / (count - 1.0).max(0.0)
     };
     (variance(0) + variance(1)).sqrt()
 }
