@@ -412,3 +412,27 @@ fn what_a_table_does_not_have_is_guessed() {
     ];
     assert_eq!(program.call(&plot).code, Some(2));
 }
+
+#[test]
+fn the_means_that_are_printed_are_those_asked_for() {
+    let program = program();
+    let arguments = [
+        "sweep",
+        "bees.toml",
+        "--metric",
+        "virtual_s",
+        "--metric",
+        "contact",
+    ];
+    let call = good(program.call(&arguments));
+    let head = call.out.lines().next().expect("a table");
+    assert!(
+        head.contains("virtual_s") && !head.contains("contacts"),
+        "{head}"
+    );
+    assert!(
+        call.err.contains("did you mean `contacts`?"),
+        "{}",
+        call.err
+    );
+}

@@ -57,6 +57,10 @@ pub(super) struct SweepOptions {
     /// Record each run into this folder: run-0001.mcap, ... [default: nothing is recorded]
     #[arg(long, value_name = "FOLDER")]
     record: Option<PathBuf>,
+    /// Metric whose means are printed, as columns of the table are called; may be given many times [default:
+    /// the first of all]
+    #[arg(long, value_name = "NAME")]
+    metric: Vec<String>,
     /// List the runs, and do nothing
     #[arg(long)]
     dry_run: bool,
@@ -110,7 +114,7 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
     // A reader that has gone away must not cost the table.
     let printed = match options.quiet {
         true => Ok(()),
-        false => say(report::means(sweep, &rows).trim_end()),
+        false => say(report::means(sweep, &rows, &options.metric).trim_end()),
     };
     file.write_or_keep(&rows.columns())?;
     printed?;

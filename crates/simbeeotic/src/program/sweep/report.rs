@@ -2,6 +2,7 @@
 
 use super::rows::Rows;
 use crate::program::plot::{BandKind, band};
+use crate::program::remark;
 use crate::program::show::number;
 use simbeeotic_scenario::Sweep;
 
@@ -29,8 +30,11 @@ pub(super) fn listed(sweep: &Sweep) -> String {
 }
 
 /// Mean and 95 % interval of each number over the runs of a combination.
-pub(super) fn means(sweep: &Sweep, rows: &Rows) -> String {
-    let names = shown(rows);
+pub(super) fn means(sweep: &Sweep, rows: &Rows, wanted: &[String]) -> String {
+    let names = match wanted {
+        [] => shown(rows),
+        wanted => asked_for(rows, wanted),
+    };
     let mut groups: Vec<(&[String], Vec<Vec<f64>>)> = Vec::new();
     for (values, row) in rows.good() {
         let at = match groups
@@ -83,6 +87,27 @@ fn estimate(numbers: &mut [f64]) -> String {
         Some([low, high]) => format!("{} ± {}", number(mean), number(0.5 * (high - low))),
         None => number(mean),
     }
+}
+
+/// The numbers that were asked for, with or without their units; a remark of each that there is not.
+fn asked_for(rows: &Rows, wanted: &[String]) -> Vec<String> {
+    let base = |name: &str| name.split(" [").next().unwrap_or(name).to_owned();
+    let mut names = Vec::new();
+    for name in wanted {
+        match rows.names().iter().find(|n| *n == name || base(n) == *name) {
+            Some(found) => names.push(found.clone()),
+            None => {
+                let known: Vec<String> = rows.names().iter().map(|n| base(n)).collect();
+                let guess = simbeeotic_units::did_you_mean(name, known.iter().map(String::as_str));
+                let help = match guess {
+                    Some(guess) => format!("did you mean `{guess}`?"),
+                    None => format!("they have: {}", known.join(", ")),
+                };
+                remark(format!("warning: --metric {name}: no run has it; {help}"));
+            }
+        }
+    }
+    names
 }
 
 /// The numbers that are worth a column: what models publish, on average; else what differs from zero.
