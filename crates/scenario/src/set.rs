@@ -66,10 +66,14 @@ pub fn apply(root: &mut Node, argument: &str, sources: &mut Sources) -> Result<(
             text: path.trim().to_owned(),
             span: Span::new(source, flag.len(), flag.len() + path.len()),
         };
-        let vary = sweep_table(root, value.span, Some(sweep::VARY));
-        return vary
-            .map(|table| table.insert(key, value))
-            .map_err(|fault| vec![fault]);
+        let vary = sweep_table(root, value.span, Some(sweep::VARY)).map_err(|fault| vec![fault])?;
+        let before = vary.get(&key.text).map(|node| node.span.source);
+        if before.is_some_and(|id| sources.get(id).is_some_and(|source| source.name == NAME)) {
+            let message = format!("a second `--vary {}`: a key varies once", key.text);
+            return Err(vec![Fault::error(key.span, message)]);
+        }
+        vary.insert(key, value);
+        return Ok(());
     }
     let value = value(text, source, value_start)?;
     place(root, &keys, value).map_err(|fault| vec![fault])

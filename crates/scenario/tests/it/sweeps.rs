@@ -379,3 +379,20 @@ fn what_cannot_vary_in_an_old_scenario_says_so_at_its_place() {
         assert!(said.contains(place), "{place} {said}");
     }
 }
+
+#[test]
+fn a_key_varies_once_on_the_command_line() {
+    let twice = ["--vary model.bee.count=1,2", "--vary model.bee.count=5"];
+    let request = Request {
+        sets: twice.map(str::to_owned).to_vec(),
+        ..Request::default()
+    };
+    let Err(rejected) = load_text("bees.toml", &with(""), &request) else {
+        panic!("a key was varied twice");
+    };
+    let text = render::faults(&rejected.faults, &rejected.sources, false);
+    assert!(text.contains("a second `--vary model.bee.count`"), "{text}");
+    // What the file varies is replaced, as ever.
+    let loaded = loaded("[sweep.vary]\n\"model.bee.count\" = [1, 2, 3]", &twice[1..]);
+    assert_eq!(runs(&loaded).len(), 1);
+}
