@@ -195,12 +195,8 @@ impl Translation {
     }
 
     fn cannot_vary(&mut self, name: &Text) {
-        let written = self.written.iter();
-        if written
-            .filter_map(|w| self.variables.varying(&w.text))
-            .next()
-            .is_some()
-        {
+        let varies = |text: &Text| self.variables.varying(&text.text).is_some();
+        if self.written.as_ref().is_some_and(varies) {
             let message = format!("`{}` does not vary here: its first value counts", name.text);
             self.warn(name.span, message);
         }
