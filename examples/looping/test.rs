@@ -79,12 +79,13 @@ fn the_spread_hangs_on_no_number_of_bees() {
     let all: Vec<[f64; 3]> = (0..20_u32)
         .map(|i| [f64::from(i * i % 17), f64::from(i * 7 % 19), 1.0])
         .collect();
+    let square = |x: f64| x * x;
     let mut squares = Vec::new();
     for (at, a) in all.iter().enumerate() {
-        squares.extend(all[..at].iter().map(|b| spread_m(&[*a, *b]).powi(2)));
+        squares.extend(all[..at].iter().map(|b| square(spread_m(&[*a, *b]))));
     }
     let mean = squares.iter().sum::<f64>() / squares.len() as f64;
-    let whole = spread_m(&all).powi(2);
+    let whole = square(spread_m(&all));
     assert!((mean - whole).abs() < 1e-9 * whole, "{mean} and {whole}");
 }
 
