@@ -1,6 +1,7 @@
 //! A beacon on the ground: the memory of the emergent scheme.
 
 use super::cells::Cells;
+use super::referee::BeaconBooks;
 use super::scheme::Scheme;
 use super::wire::Word;
 use simbeeotic::prelude::*;
@@ -9,6 +10,8 @@ use simbeeotic::units::math;
 
 /// Keeps how often its cell was visited lately, and how many flowers were left there, and tells it who asks.
 /// In the other schemes its radio sleeps.
+///
+/// It tells a model called `referee`, if there is one, what it has drawn: for the books, nothing comes back.
 ///
 /// Visits evaporate: after `evaporation` a share of 1/e is left of them.
 #[behavior("trail-beacon", host = Station)]
@@ -53,6 +56,9 @@ impl Default for TrailBeaconParams {
     }
 }
 
+/// How often it tells what it has drawn, and at which voltage that is reckoned: two cells of 1.5 V.
+const BOOKS: Time = Time::si(10.0);
+const SUPPLY_V: f64 = 3.0;
 /// Half the edge of its box.
 const HALF_M: f64 = 0.05;
 
@@ -66,6 +72,7 @@ impl Behavior<Station> for TrailBeacon {
         positive("evaporation", params.evaporation)?;
         positive("claim", params.claim)?;
         kit.once(Time::ZERO, Self::settle);
+        kit.every(BOOKS, Self::account);
         Ok(Self {
             timer: kit.timer(Self::speak),
             radio: kit.optional_radio(),
@@ -121,6 +128,16 @@ impl TrailBeacon {
             self.cell = cells.at(beacon.position().si().truncate());
         } else if let Some(radio) = self.radio {
             beacon.sleep_radio(radio);
+        }
+    }
+
+    fn account(&mut self, beacon: &mut Platform<'_>) {
+        if self.params.scheme != Scheme::Emergent {
+            return;
+        }
+        let energy_j = beacon.accounts().total().get() * SUPPLY_V;
+        if let Some(referee) = beacon.find("referee") {
+            beacon.tell(referee, BeaconBooks { energy_j });
         }
     }
 

@@ -24,8 +24,8 @@ use std::collections::BTreeSet;
 ///
 /// It has sensors `position`, `height` (an altimeter), `battery` and `flowers` (a flower detector that
 /// looks straight down), and a radio. Where its hive is, how the field is divided and who decides it is
-/// told on its pad. It publishes `trips` (landings whose report was taken) and `idle` (seconds charged with
-/// nothing to do), and tells a model called `referee`, if there is one, what its batteries gave and which
+/// told on its pad. It publishes `trips` (landings whose report was taken), `idle` (seconds charged that it
+/// got nothing to do) and `unpowered` (seconds on a pad without power before it was charged), and tells a model called `referee`, if there is one, what its batteries gave and which
 /// flowers its detector noticed: for the books, nothing comes back.
 #[behavior("search-mav")]
 pub struct SearchMav {
@@ -46,7 +46,10 @@ pub struct SearchMav {
     looked: SimTime,
     chores: u32,
     trips: u32,
+    /// It has asked for work since it was charged.
+    asked: bool,
     idle_s: f64,
+    waiting_s: f64,
 }
 
 struct Gear {
@@ -193,7 +196,9 @@ impl Behavior for SearchMav {
             looked: SimTime::ZERO,
             chores: 0,
             trips: 0,
+            asked: false,
             idle_s: 0.0,
+            waiting_s: 0.0,
         })
     }
 
@@ -290,6 +295,7 @@ impl Behavior for SearchMav {
 
     fn on_finish(&mut self, bee: &mut Bee<'_>) {
         bee.metric("idle", self.idle_s, "s");
+        bee.metric("unpowered", self.waiting_s, "s");
     }
 }
 
@@ -354,6 +360,7 @@ impl SearchMav {
                 Books {
                     energy_j,
                     idle_s: self.idle_s,
+                    waiting_s: self.waiting_s,
                 },
             );
         }
@@ -369,9 +376,14 @@ impl SearchMav {
             return bee.tell(hive, Report(self.log.clone()));
         }
         if !self.is_charged(bee) {
+            // Below zero while it is charged.
+            let without = bee.read(self.gear.battery).current.get() > -0.1;
+            self.waiting_s += if without { CHORES.get() } else { 0.0 };
             return;
         }
-        self.idle_s += CHORES.get();
+        // It has asked a second ago, and nothing came.
+        self.idle_s += if self.asked { CHORES.get() } else { 0.0 };
+        self.asked = true;
         let Some((_, brief)) = &self.brief else {
             return;
         };

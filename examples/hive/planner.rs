@@ -14,8 +14,8 @@
 //! w = gain / ((way there + way home) / speed + work)                                (2)
 //! ```
 //! with the gain in flowers: their known number for the last two, `p n / 3` for a search, after which two
-//! thirds of the work are still to do. Open
-//! cells stand in an ordered set by (2), so that a dispatch costs O(log n) for n cells.
+//! thirds of the work are still to do (with the number that a broken-off search has seen for `p n` if that
+//! is more). Open cells stand in an ordered set by (2), so that a dispatch costs O(log n) for n cells.
 //!
 //! Nothing here knows a radio or a clock: results come in as calls.
 
@@ -30,9 +30,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct PlannerParams {
     /// Belief that an unknown cell has flowers: `p` at the start, 0 to 1.
     pub belief: f64,
-    /// The same beside a cell where flowers were found: `p_near`, 0 to 1.
+    /// The same beside a cell where flowers were found: `p_near`, 0 to 1. No belief is lowered to it.
     pub belief_beside: f64,
-    /// Belief that a search finds flowers that are there: `d`, 0 to 1.
+    /// Belief that a search of a cell with flowers finds any: `d`, 0 to 1. It has several, and each is looked
+    /// at more than once.
     pub detection: f64,
     /// A cell that has flowers with less than this belief is not searched again, 0 to 1.
     pub least_belief: f64,
@@ -52,8 +53,8 @@ impl Default for PlannerParams {
     fn default() -> Self {
         Self {
             belief: 0.15,
-            belief_beside: 0.6,
-            detection: 0.8,
+            belief_beside: 0.2,
+            detection: 0.98,
             least_belief: 0.02,
             flowers: 6.0,
             speed: Speed::si(4.0),
@@ -102,7 +103,11 @@ struct Known {
     searches: u32,
     count: u16,
     places: Vec<DVec2>,
+    /// What has told `places`: each task knows them better than the one before.
+    placed_by: Task,
     taken: Option<u16>,
+    /// Who left it unfinished last and has not handed in yet what it found.
+    left_by: Option<u16>,
     /// The key under which it stands in the ordered set.
     rank: Option<u64>,
 }
@@ -131,7 +136,9 @@ impl Planner {
             searches: 0,
             count: 0,
             places: Vec::new(),
+            placed_by: Task::Search,
             taken: None,
+            left_by: None,
             rank: None,
         };
         let mut planner = Self {
@@ -173,16 +180,24 @@ impl Planner {
         Some(job)
     }
 
-    /// Takes in what came of a dispatch. What is told twice, by radio and at landing, counts once; places
-    /// are taken whenever they are told.
+    /// Takes in what came of a dispatch. What is told twice, by radio and at landing, counts once. Places,
+    /// which are told at landing alone, are taken if they are known better than before. What a broken-off
+    /// task found counts too, if nobody has brought news of the cell since.
     pub(crate) fn result(&mut self, finding: &Finding) {
         let Some(known) = self.known.get_mut(usize::from(finding.cell)) else {
             return;
         };
-        if !finding.places.is_empty() && known.places.is_empty() && known.next != Task::Search {
+        let better = finding.task > known.placed_by
+            || finding.task == known.placed_by && known.places.is_empty();
+        if finding.complete && !finding.places.is_empty() && known.next != Task::Search && better {
             known.places.clone_from(&finding.places);
+            known.placed_by = finding.task;
         }
         let Some((cell, until)) = self.out.remove(&finding.ticket) else {
+            if !finding.complete && known.left_by == Some(finding.ticket) {
+                self.weigh_part(finding);
+                self.place(finding.cell);
+            }
             return;
         };
         self.deadlines.remove(&(until, finding.ticket));
@@ -191,21 +206,18 @@ impl Planner {
         }
         if finding.complete {
             self.weigh(finding);
-        } else if finding.task == Task::Pollinate && finding.count > 0 {
-            self.known[usize::from(cell)].count = finding.count;
-            if !finding.places.is_empty() {
-                self.known[usize::from(cell)]
-                    .places
-                    .clone_from(&finding.places);
-            }
+        } else {
+            self.weigh_part(finding);
         }
         self.free(cell, finding.ticket);
     }
 
-    /// A dispatch that comes to nothing: the cell is open again, with `left` flowers if that is known.
+    /// A dispatch that is broken off: its cell is open again for others. What was found there until then may
+    /// still be told, by [`Planner::result`].
     pub(crate) fn returned(&mut self, ticket: u16) {
         if let Some((cell, until)) = self.out.remove(&ticket) {
             self.deadlines.remove(&(until, ticket));
+            self.known[usize::from(cell)].left_by = Some(ticket);
             self.free(cell, ticket);
         }
     }
@@ -226,7 +238,12 @@ impl Planner {
         let known = &mut self.known[usize::from(finding.cell)];
         let found = finding.count > 0;
         known.count = finding.count;
-        known.places.clone_from(&finding.places);
+        known.left_by = None;
+        // A sample told by radio has no places: rough ones are better than none until it is handed in.
+        if finding.task != Task::Sample || !finding.places.is_empty() {
+            known.places.clone_from(&finding.places);
+            known.placed_by = finding.task;
+        }
         let next = match (finding.task, found) {
             (Task::Search, true) => Task::Sample,
             (Task::Sample | Task::Pollinate, true) => Task::Pollinate,
@@ -254,12 +271,34 @@ impl Planner {
         }
     }
 
+    /// Takes in what a broken-off task found: a search, that there are flowers at all; a pollination, which
+    /// are left; a sample, where they are, if it is of all.
+    fn weigh_part(&mut self, finding: &Finding) {
+        let known = &mut self.known[usize::from(finding.cell)];
+        known.left_by = None;
+        let taken = match finding.task {
+            Task::Search => known.next == Task::Search && finding.count > known.count,
+            Task::Sample => known.next != Task::Search && finding.count >= known.count,
+            Task::Pollinate => known.next == Task::Pollinate && finding.count > 0,
+        };
+        if taken {
+            known.count = finding.count;
+            if !finding.places.is_empty() {
+                known.places.clone_from(&finding.places);
+                known.placed_by = finding.task;
+            }
+        }
+    }
+
     /// Those that nobody has come back from in time are open again.
     fn give_up(&mut self, now: SimTime) {
         while let Some((until, ticket)) = self.deadlines.first().copied()
             && until < now
         {
-            self.returned(ticket);
+            if let Some((cell, until)) = self.out.remove(&ticket) {
+                self.deadlines.remove(&(until, ticket));
+                self.free(cell, ticket);
+            }
         }
     }
 
@@ -294,8 +333,11 @@ impl Planner {
         }
         let count = f64::from(known.count);
         let (gain, work_s) = match known.next {
-            Task::Search if known.belief < p.least_belief => return None,
-            Task::Search => (known.belief * p.flowers / 3.0, p.search.get()),
+            Task::Search if known.belief < p.least_belief && known.count == 0 => return None,
+            Task::Search => {
+                let expected = (known.belief * p.flowers).max(count);
+                (expected / 3.0, p.search.get())
+            }
             Task::Sample | Task::Pollinate => (count, p.search.get() + count * p.flower.get()),
         };
         let middle = self.cells.middle(cell);
@@ -376,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn beside_a_find_is_searched_before_anything_else() {
+    fn beside_a_find_is_searched_before_what_is_as_far() {
         let mut planner = planner();
         let corner = std::iter::from_fn(|| planner.dispatch(None, at(0)))
             .find(|job| job.cell == 24)
@@ -386,19 +428,31 @@ mod tests {
             planner.returned(ticket);
         }
         planner.result(&done(&corner, 3));
-        let next: Vec<u16> = (0..4)
-            .filter_map(|_| planner.dispatch(None, at(9)))
+        let next: Vec<u16> = std::iter::from_fn(|| planner.dispatch(None, at(9)))
             .map(|job| job.cell)
             .collect();
-        assert!(
-            [18, 19, 23].iter().all(|cell| next.contains(cell)),
-            "{next:?}"
-        );
+        let turn = |cell: u16| next.iter().position(|other| *other == cell);
+        for (beside, opposite) in [(18, 6), (19, 5), (23, 1)] {
+            assert!(turn(beside) < turn(opposite), "{next:?}");
+        }
+    }
+
+    #[test]
+    fn a_cell_beside_a_find_that_was_empty_is_not_searched_before_one_that_never_was() {
+        let params = PlannerParams::default();
+        let (p, d) = (params.belief_beside.max(params.belief), params.detection);
+        let empty = p * (1.0 - d) / (1.0 - p * d);
+        assert!(empty < 0.5 * params.belief, "{empty}");
     }
 
     #[test]
     fn empty_cells_are_searched_again_until_nothing_is_believed_of_them() {
-        let mut planner = planner();
+        let params = PlannerParams {
+            detection: 0.8,
+            ..PlannerParams::default()
+        };
+        let cells = Cells::around(DVec2::ZERO, 50.0, 10.0);
+        let mut planner = Planner::new(params, cells, DVec2::ZERO);
         let mut searches = 0;
         while let Some(job) = planner.dispatch(None, at(0)) {
             searches += 1;
@@ -430,6 +484,69 @@ mod tests {
         );
         planner.result(&done(&again, 2));
         assert_eq!(planner.known[12].searches, 1);
+    }
+
+    #[test]
+    fn what_a_broken_off_task_found_counts_at_landing_and_its_cell_is_open_before() {
+        let mut planner = planner();
+        let search = planner.dispatch(None, at(0)).expect("work");
+        planner.result(&done(&search, 5));
+        let sample = planner.dispatch(None, at(20)).expect("work");
+        planner.result(&done(&sample, 5));
+        let serve = planner.dispatch(None, at(60)).expect("work");
+        planner.returned(serve.ticket);
+        let places = vec![DVec2::ONE, DVec2::NEG_ONE];
+        let part = Finding {
+            complete: false,
+            places: places.clone(),
+            ..done(&serve, 2)
+        };
+        planner.result(&part);
+        let again = planner.dispatch(None, at(70)).expect("it is open");
+        assert_eq!((again.cell, again.task), (serve.cell, Task::Pollinate));
+        assert_eq!((planner.known[12].count, again.places.clone()), (2, places));
+        // Somebody was there since: what the first says is old.
+        planner.result(&done(&again, 0));
+        planner.result(&part);
+        assert_eq!(planner.known[12].count, 0);
+    }
+
+    #[test]
+    fn a_broken_off_search_that_saw_flowers_is_gone_on_with_first() {
+        let mut planner = planner();
+        let jobs: Vec<Job> = std::iter::from_fn(|| planner.dispatch(None, at(0))).collect();
+        jobs.iter().for_each(|job| planner.returned(job.ticket));
+        let corner = jobs.iter().find(|job| job.cell == 24).expect("the corner");
+        planner.result(&Finding {
+            complete: false,
+            ..done(corner, 4)
+        });
+        let next = planner.dispatch(None, at(9)).expect("all are open");
+        assert_eq!((next.cell, next.task), (24, Task::Search));
+        // Nothing there: a phantom is not looked for without end.
+        planner.result(&done(&next, 0));
+        assert_eq!(planner.known[24].count, 0);
+    }
+
+    #[test]
+    fn places_that_were_sampled_replace_those_that_were_seen_from_high() {
+        let mut planner = planner();
+        let search = planner.dispatch(None, at(0)).expect("work");
+        planner.result(&done(&search, 2));
+        let sample = planner.dispatch(Some(search.cell), at(9)).expect("work");
+        planner.result(&done(&sample, 2));
+        let tell = |planner: &mut Planner, job: &Job, x: f64| {
+            planner.result(&Finding {
+                places: vec![DVec2::new(x, 0.0); 2],
+                ..done(job, 2)
+            });
+        };
+        // It has landed, and hands in both.
+        tell(&mut planner, &search, 0.5);
+        tell(&mut planner, &sample, 0.1);
+        tell(&mut planner, &search, 0.7);
+        let serve = planner.dispatch(None, at(60)).expect("work");
+        assert_eq!(serve.places, [DVec2::new(0.1, 0.0); 2]);
     }
 
     #[test]

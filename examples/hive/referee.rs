@@ -13,10 +13,12 @@ use std::collections::{BTreeMap, BTreeSet};
 /// | `coverage` | share of cells of which three quarters or more were within a flower detector's reach |
 /// | `flowers/seen` | flowers that a detector of a MAV has noticed |
 /// | `flowers/served` | flowers beside which a MAV stayed for the time `stay` |
-/// | `energy/flower` | J that all batteries gave, for each flower served |
-/// | `energy/used` | the same in all |
-/// | `lost` | MAVs that have lain away from a hive for half a minute |
-/// | `idleness` | mean time for which a MAV was charged and had nothing to do, s |
+/// | `energy/flower` | J that the MAVs' batteries gave, for each flower served |
+/// | `energy/used` | the same in all: what reached motors, radios and sensors, without the heat in the cells |
+/// | `energy/beacons` | J that beacons on the ground have drawn, in neither of the two above |
+/// | `lost` | MAVs that have lain elsewhere than on pads for half a minute, on whatever is there |
+/// | `idleness` | mean time for which a MAV lay charged and got nothing to do, s |
+/// | `waiting` | mean time for which a MAV lay on a pad without power, not charged, s |
 #[behavior("search-referee", host = Bodiless)]
 pub struct SearchReferee {
     params: SearchRefereeParams,
@@ -33,6 +35,8 @@ pub struct SearchReferee {
     stays: BTreeMap<ModelId, Vec<(ObjectId, u32)>>,
     down: BTreeMap<ModelId, u32>,
     books: BTreeMap<ModelId, Books>,
+    /// J that each beacon has drawn.
+    beacons: BTreeMap<ModelId, f64>,
 }
 
 /// Parameters of [`SearchReferee`].
@@ -50,7 +54,7 @@ pub struct SearchRefereeParams {
     pub reach: Length,
     /// For so long.
     pub stay: Time,
-    /// So near a hive a MAV may lie.
+    /// So near the middle of a hive a MAV may lie: where its pads are (`pad_radius`).
     pub home: Length,
     /// Time between two looks.
     pub period: Time,
@@ -65,7 +69,7 @@ impl Default for SearchRefereeParams {
             ceiling: Length::si(5.0),
             reach: Length::si(0.5),
             stay: Time::si(2.0),
-            home: Length::si(8.0),
+            home: Length::si(4.0),
             period: Time::si(0.5),
         }
     }
@@ -76,6 +80,13 @@ impl Default for SearchRefereeParams {
 pub(crate) struct Books {
     pub(crate) energy_j: f64,
     pub(crate) idle_s: f64,
+    pub(crate) waiting_s: f64,
+}
+
+/// What a beacon has drawn, for the books: told to the referee alone.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BeaconBooks {
+    pub(crate) energy_j: f64,
 }
 
 /// Flowers that a detector has noticed.
@@ -86,8 +97,7 @@ pub(crate) struct Noticed(pub(crate) Vec<ObjectId>);
 const PARTS: u32 = 4;
 /// So many parts of a cell are a cell.
 const ENOUGH: u8 = 12;
-/// Lower and slower than this, for so long: it is not coming back.
-const DOWN_M: f64 = 0.3;
+/// Slower than this, for so long: it is not coming back.
 const REST_M_S: f64 = 0.02;
 const DOWN_S: f64 = 30.0;
 /// No flower is higher than this, with the reach.
@@ -124,6 +134,7 @@ impl Behavior<Bodiless> for SearchReferee {
             stays: BTreeMap::new(),
             down: BTreeMap::new(),
             books: BTreeMap::new(),
+            beacons: BTreeMap::new(),
         })
     }
 
@@ -132,6 +143,8 @@ impl Behavior<Bodiless> for SearchReferee {
             self.seen.extend(flowers);
         } else if let Some(books) = message.get::<Books>() {
             self.books.insert(message.sender, *books);
+        } else if let Some(BeaconBooks { energy_j }) = message.get() {
+            self.beacons.insert(message.sender, *energy_j);
         }
     }
 
@@ -191,7 +204,7 @@ impl SearchReferee {
     fn mind(&mut self, id: ModelId, place: DVec3, speed_m_s: f64, hives: &[DVec2]) {
         let home_m = self.params.home.metres();
         let away = |hive: &DVec2| hive.distance(place.truncate()) > home_m;
-        if place.z < DOWN_M && speed_m_s < REST_M_S && hives.iter().all(away) {
+        if speed_m_s < REST_M_S && hives.iter().all(away) {
             *self.down.entry(id).or_default() += 1;
         } else {
             self.down.remove(&id);
@@ -242,7 +255,12 @@ impl SearchReferee {
         cx.metric("flowers/served", served, "1");
         cx.metric("lost", lost as f64, "1");
         cx.metric("idleness", idle_s / self.books.len().max(1) as f64, "s");
+        let waiting_s: f64 = self.books.values().map(|books| books.waiting_s).sum();
+        let mavs = self.books.len().max(1) as f64;
+        cx.metric("waiting", waiting_s / mavs, "s");
         cx.metric("energy/used", energy_j, "J");
+        let beacons_j: f64 = self.beacons.values().sum();
+        cx.metric("energy/beacons", beacons_j, "J");
         if served > 0.0 {
             cx.metric("energy/flower", energy_j / served, "J");
         }

@@ -223,6 +223,16 @@ impl SearchHive {
         let shares = shares(&cells, new.len());
         let spots = spots(self.params.dock.width.metres(), self.params.spot.metres());
         let spots: Vec<DVec2> = spots.skip(first).take(new.len()).collect();
+        let far_m = spots.iter().map(|at| at.length()).fold(0.0, f64::max);
+        let radius_m = self.params.dock.pad_radius.metres();
+        if far_m > radius_m {
+            return hive.fault(format!(
+                "{} MAVs at pads {} m apart reach {far_m:.1} m from the hive, and only up to dock.pad_radius = \
+                 {radius_m} m do they have power and are they heard: raise dock.pad_radius, or have fewer MAVs",
+                first + new.len(),
+                self.params.spot.metres(),
+            ));
+        }
         for (at, id) in new.iter().enumerate() {
             let number = (first + at) as u32;
             self.crew.insert(*id, number);

@@ -52,13 +52,14 @@ fn planning_serves_more_flowers_than_fixed_shares_on_each_seed() {
 }
 
 #[test]
-fn without_a_reserve_a_head_wind_costs_mavs_and_with_one_it_does_not() {
+fn without_a_reserve_a_head_wind_costs_mavs_and_with_one_few_or_none() {
     let windy = search()
         .set("run.end_time", "6 min")
         .set("variables.wind", "5 m/s");
-    assert_eq!(run(&windy).total("lost"), 0.0);
+    let safe = run(&windy);
+    assert!(safe.total("lost") <= 2.0, "{}", safe.total("lost"));
     let bold = run(&windy.set("variables.reserve", 0));
-    assert!(bold.total("lost") > 3.0, "{}", bold.total("lost"));
+    assert!(bold.total("lost") >= 10.0, "{}", bold.total("lost"));
 }
 
 #[test]
@@ -174,6 +175,37 @@ fn the_hive_takes_reports_of_those_alone_who_rest_on_its_pads() {
     // Over a pad, and lying far from it.
     assert_eq!(told(2.0, 1.5), (false, 20.0));
     assert_eq!(told(0.0, 20.0), (false, 20.0));
+}
+
+#[test]
+fn more_mavs_than_pads_have_room_for_is_an_error_that_says_what_to_raise() {
+    let many = search()
+        .set("model.hive.model.mav.count", 295)
+        .set("run.end_time", "2 s");
+    let error = many.run().map(|_| ()).expect_err("no room").to_string();
+    for word in ["hive", "300 MAVs", "raise dock.pad_radius"] {
+        assert!(error.contains(word), "{error}");
+    }
+    run(&many.set("model.hive.params.dock.pad_radius", "7 m"));
+}
+
+#[test]
+fn searching_beside_finds_first_does_not_cost_flowers() {
+    for seed in 1..4 {
+        let served = |beside: f64| {
+            let key = "model.hive.params.planner.belief_beside";
+            run(&search().seed(seed).set(key, beside)).total("flowers/served")
+        };
+        // 0: it never raises a belief.
+        let (with, without) = (
+            run(&search().seed(seed)).total("flowers/served"),
+            served(0.0),
+        );
+        assert!(
+            with >= 0.97 * without,
+            "seed {seed}: {with} with, {without} without"
+        );
+    }
 }
 
 #[test]

@@ -25,7 +25,7 @@ impl SearchMav {
         let same = self.log.last().is_some_and(|done| done.cell == job.cell);
         if job.task == Task::Search {
             self.finds = Finds::default();
-        } else if !(same && job.places.is_empty()) {
+        } else if !same {
             self.finds = Finds::told(&job.places, self.params.flower_height.metres());
         }
         if self.mind.carries_on() {
@@ -55,10 +55,10 @@ impl SearchMav {
     pub(super) fn take_off(&mut self, bee: &mut Bee<'_>) {
         if let Phase::Docked { .. } = self.phase {
             bee.hover(true);
+            self.asked = false;
             self.pilot.at(self.pilot.here, bee.now());
-            if self.idle_s > 0.0 {
-                bee.metric("idle", self.idle_s, "s");
-            }
+            bee.metric("idle", self.idle_s, "s");
+            bee.metric("unpowered", self.waiting_s, "s");
         }
     }
 
@@ -182,7 +182,8 @@ impl SearchMav {
         let left = self.finds.left();
         let finding = Finding {
             ticket: job.ticket,
-            task: if self.mind.carries_on() {
+            // Who was to sample or pollinate and could not find the place has searched, no more.
+            task: if self.mind.carries_on() || !complete && stage == Task::Search {
                 stage
             } else {
                 job.task
