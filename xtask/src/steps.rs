@@ -176,7 +176,9 @@ fn parse(command: &str, rest: &[String]) -> Result<Options> {
                 options.skip.push(name.clone());
             }
             _ if command == "test" => options.words.push(arg.clone()),
-            word if ["golden", "gallery"].contains(&command) && !word.starts_with('-') => {
+            word if ["golden", "gallery", "figure"].contains(&command)
+                && !word.starts_with('-') =>
+            {
                 options.words.push(arg.clone())
             }
             _ => bail!("`{command}` does not take `{arg}`; see `cargo xtask --help`"),
@@ -311,6 +313,7 @@ mod tests {
     #[test]
     fn arguments_that_a_step_does_not_take_are_refused() {
         assert!(parse("golden", &words("--accept fig12")).unwrap().accept);
+        assert_eq!(parse("figure", &words("10")).unwrap().words, ["10"]);
         assert_eq!(
             parse("check", &words("--skip test")).unwrap().skip,
             ["test"]
