@@ -46,7 +46,7 @@ pub struct SearchRefereeParams {
     pub field: Length,
     /// Edge of a cell.
     pub cell: Length,
-    /// How far to each side a detector sees the ground, from the height of a search.
+    /// How far to each side a detector sees the ground, from the height of a search; at most `field`.
     pub swath: Length,
     /// A MAV searches no higher than this.
     pub ceiling: Length,
@@ -113,6 +113,7 @@ impl Behavior<Bodiless> for SearchReferee {
         positive("field", params.field)?;
         positive("cell", params.cell)?;
         positive("swath", params.swath)?;
+        in_range("swath", params.swath, Length::si(0.0)..=params.field)?;
         positive("ceiling", params.ceiling)?;
         positive("reach", params.reach)?;
         positive("stay", params.stay)?;
