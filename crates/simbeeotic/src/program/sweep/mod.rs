@@ -158,7 +158,9 @@ fn scenario(options: &SweepOptions) -> ScenarioOptions {
 fn default_output(name: &str, scenario: &Path) -> PathBuf {
     let fit = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_' | '.');
     let words = name.split(|letter| !fit(letter));
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> = words
+        .filter(|word| word.contains(char::is_alphanumeric))
+        .collect();
     let name: String = words.join("-").chars().take(NAME_LETTERS).collect();
     let stem = scenario.file_stem().map(|stem| stem.to_string_lossy());
     let name = match name.trim_matches('.') {
