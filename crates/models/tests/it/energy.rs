@@ -556,7 +556,7 @@ fn foragers_come_home_and_set_out_again() {
 fn a_hive_with_nonsense_is_refused() {
     for (key, value) in [
         ("pads", "0"),
-        ("pads", "1001"),
+        ("pads", "100001"),
         ("pad_radius", "0 m"),
         ("current", "0 A"),
         ("period", "0 s"),
