@@ -24,7 +24,8 @@
 //! in text; in memory they are ordinary `f64` values, so that a computation can be checked once,
 //! at its end, with `is_finite`.
 //!
-//! In serde a quantity is a string, in both directions. Bare numbers are refused.
+//! In serde a quantity is a string, in both directions, and may be written in another unit than SI's
+//! if that is shorter and reads back as the same bits: `45 deg`. Bare numbers are refused.
 //! The JSON schema of a quantity is a string with two extra keys, `x-si-unit` and `x-units`.
 
 mod air;

@@ -1,5 +1,6 @@
 //! Numbers as people write them.
 
+use super::Quantity;
 use std::fmt;
 
 /// A number printed plainly in everyday magnitudes and with an exponent outside, so that it reads
@@ -36,9 +37,83 @@ pub(crate) fn write_quantity(f: &mut fmt::Formatter<'_>, value: f64, unit: &str)
     }
 }
 
+/// A quantity as a person would write it: in the SI unit, or in another one if the number is long in
+/// the SI unit and shorter there: `45 deg`, `2442.5 MHz`. It reads back as the same bits.
+pub(crate) fn in_shortest_unit<Q: Quantity>(q: Q) -> String {
+    let si = q.to_si();
+    let same = |text: &String| {
+        text.parse::<Q>()
+            .is_ok_and(|q| q.to_si().to_bits() == si.to_bits())
+    };
+    let plain = q.to_string();
+    if Number(si).to_string().len() <= LONG {
+        return plain;
+    }
+    let elsewhere = Q::UNITS.iter().filter_map(|unit| {
+        let value = unit.scale.of_si(si);
+        (0..DIGITS).find_map(|digits| {
+            let rounded: f64 = format!("{value:.digits$e}").parse().ok()?;
+            Some(format!("{} {}", Number(rounded), unit.name)).filter(same)
+        })
+    });
+    // The first of the shortest; the SI unit, if none is shorter.
+    std::iter::once(plain)
+        .chain(elsewhere)
+        .min_by_key(String::len)
+        .unwrap_or_default()
+}
+
+/// How many characters a number may have before another unit is tried.
+const LONG: usize = 7;
+/// How many digits a number in another unit may have.
+const DIGITS: usize = 9;
+
 #[cfg(test)]
 mod tests {
-    use crate::{Enu, Length, Velocity};
+    use super::in_shortest_unit;
+    use crate::{Angle, Enu, Frequency, Length, Quantity, Speed, Temperature, Time, Velocity};
+
+    #[test]
+    fn a_long_number_is_written_in_the_unit_that_makes_it_short() {
+        for (degrees, text) in [
+            (45.0, "45 deg"),
+            (5.0, "5 deg"),
+            (0.0016, "0.0016 deg"),
+            (270.0, "270 deg"),
+        ] {
+            assert_eq!(in_shortest_unit(Angle::from_degrees(degrees)), text);
+        }
+        let hertz = |value| in_shortest_unit(Frequency::si(value));
+        assert_eq!(hertz(2_442_500_000.0), "2442.5 MHz");
+        assert_eq!(hertz(50.0), "50 Hz");
+        assert_eq!(in_shortest_unit(Speed::si(50.0 / 3.6)), "50 km/h");
+        assert_eq!(in_shortest_unit(Angle::si(0.25)), "0.25 rad");
+        assert_eq!(
+            in_shortest_unit(Length::si(0.1 + 0.2)),
+            "0.30000000000000004 m"
+        );
+        assert_eq!(in_shortest_unit(Length::si(f64::NAN)), "NaN m");
+    }
+
+    fn reads_back<Q: Quantity>(value: f64) {
+        let text = in_shortest_unit(Q::from_si(value));
+        let read: Q = text.parse().unwrap();
+        assert_eq!(read.to_si().to_bits(), value.to_bits(), "{text}");
+        assert!(text.len() <= Q::from_si(value).to_string().len(), "{text}");
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn the_shortest_text_reads_back_as_the_same_bits(value in -1e12..1e12_f64, whole in -1000..1000_i32) {
+            for value in [value, f64::from(whole), f64::from(whole) / 3.6, f64::from(whole).to_radians()] {
+                reads_back::<Angle>(value);
+                reads_back::<Length>(value);
+                reads_back::<Speed>(value);
+                reads_back::<Time>(value);
+                reads_back::<Temperature>(value);
+            }
+        }
+    }
 
     #[test]
     fn everyday_numbers_are_plain_and_others_have_an_exponent() {

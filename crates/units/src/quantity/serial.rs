@@ -1,17 +1,17 @@
 //! Quantities in serde and in JSON schema: strings with units, never bare numbers.
 
-use super::print::Number;
+use super::print::{Number, in_shortest_unit};
 use super::{Quantity, QuantityError};
 use schemars::{Schema, json_schema};
 use serde::{Deserializer, Serializer, de, ser::Error as _};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// The body of every `Serialize`: the text. A number that is not finite is refused, since it could
-/// not be read back.
+/// The body of every `Serialize`: the text, in the unit in which it is short. A number that is not finite
+/// is refused, since it could not be read back.
 pub(crate) fn serialize<Q: Quantity, S: Serializer>(q: Q, s: S) -> Result<S::Ok, S::Error> {
     if q.to_si().is_finite() {
-        s.collect_str(&q)
+        s.serialize_str(&in_shortest_unit(q))
     } else {
         Err(S::Error::custom(format_args!("{q} is not finite")))
     }
