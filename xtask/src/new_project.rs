@@ -81,7 +81,9 @@ fn settings(workspace: &str, project: &str, root: &Path) -> Result<Table> {
 
     let mut settings = Table::new();
     if let Some(profile) = workspace.get("profile") {
-        settings.insert("profile".to_owned(), profile.clone());
+        let mut profile = profile.clone();
+        as_members(&mut profile, &workspace);
+        settings.insert("profile".to_owned(), profile);
     }
     if dependency.get("path").is_none() {
         let url = dependency.get("git").and_then(Value::as_str);
@@ -96,6 +98,33 @@ fn settings(workspace: &str, project: &str, root: &Path) -> Result<Table> {
         settings.insert("patch".to_owned(), Value::from(patch));
     }
     Ok(settings)
+}
+
+/// Has the crates of this house optimised as little as in the workspace. To the project they are like any other
+/// dependency, and would be optimised to the full: for a run of a second that is not worth a minute of compiling.
+fn as_members(profile: &mut Value, workspace: &Table) {
+    let Some(dev) = profile.get_mut("dev").and_then(Value::as_table_mut) else {
+        return;
+    };
+    let Some(level) = dev.get("opt-level").cloned() else {
+        return;
+    };
+    let dependencies = workspace
+        .get("workspace")
+        .and_then(|workspace| workspace.get("dependencies"));
+    let house = dependencies
+        .and_then(Value::as_table)
+        .into_iter()
+        .flatten()
+        .filter(|(_, dependency)| dependency.get("path").is_some())
+        .map(|(name, _)| name.clone());
+    let packages = dev.entry("package").or_insert_with(|| Table::new().into());
+    for name in house {
+        if let Some(packages) = packages.as_table_mut() {
+            let own = || Table::from_iter([("opt-level".to_owned(), level.clone())]).into();
+            packages.entry(name).or_insert_with(own);
+        }
+    }
 }
 
 /// The project's first scenario, as a path from the project: at its root or in `scenarios/`.
@@ -165,6 +194,34 @@ mod tests {
         let patch =
             patch_of("[dependencies.simbeeotic]\ngit = \"https://example.org/s\"\n").unwrap();
         assert!(patch.contains("https://example.org/s"), "{patch}");
+    }
+
+    #[test]
+    fn crates_of_the_house_are_built_as_members_and_others_as_dependencies() {
+        let workspace = "
+            [workspace.dependencies]
+            simbeeotic-a = { path = \"crates/a\" }
+            simbeeotic-b = { path = \"crates/b\" }
+            serde = { version = \"1\" }
+            [profile.dev]
+            opt-level = 1
+            [profile.dev.package.simbeeotic-b]
+            opt-level = 3
+            [profile.dev.package.\"*\"]
+            opt-level = 2
+        ";
+        let project = "[dependencies.simbeeotic]\npath = \"../s\"\n";
+        let settings = settings(workspace, project, Path::new("here")).unwrap();
+        let packages = settings["profile"]["dev"]["package"].as_table().unwrap();
+        let level = |name: &str| {
+            packages
+                .get(name)
+                .map(|own| own["opt-level"].as_integer().unwrap())
+        };
+        assert_eq!(level("simbeeotic-a"), Some(1));
+        assert_eq!(level("simbeeotic-b"), Some(3));
+        assert_eq!(level("*"), Some(2));
+        assert_eq!(level("serde"), None);
     }
 
     #[test]
