@@ -46,7 +46,7 @@ Object.assign(window, {
   simbeeotic: {
     place: () => page?.place(),
     stats: () => page?.stats(),
-    state: () => run?.state.value,
+    state: () => run?.told,
     time_s: () => run?.time.value,
     frame: () => run?.player.frame,
     vehicle: (path: string) => run?.number(path),

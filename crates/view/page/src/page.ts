@@ -14,7 +14,7 @@ import { listen, type Key } from "./ui/keys";
 import { layersPanel, layerWords, views } from "./ui/layers";
 import { Layout, type Panel } from "./ui/layout";
 import { liveActions, liveBar } from "./ui/livebar";
-import { noticeBox, waitingCard } from "./ui/notices";
+import { firstSteps, noticeBox, waitingCard } from "./ui/notices";
 import { replayActions, replayBar } from "./ui/replaybar";
 import { topBar } from "./ui/topbar";
 import { vehiclesPanel } from "./ui/vehicles";
@@ -72,8 +72,15 @@ export class Page {
     const replay = run.replay ? replayActions(run, run.replay) : null;
     const vehicles = vehiclesPanel(run, this.layout);
     const charts = chartsPanel(run, settings);
-    const layers = layersPanel(run, (view) => this.look(view), () => this.fit());
-    const table = this.keys(() => vehicles.search(), () => help.toggle());
+    const layers = layersPanel(run, (view) => this.look(view), () => this.fit(), (kind) => vehicles.search(kind));
+    const table = this.keys({
+      search: () => vehicles.search(),
+      chooseCharts: () => {
+        this.layout.set("charts", true);
+        charts.choose();
+      },
+      help: () => help.toggle(),
+    });
     const help = helpSheet(run, table);
     const top = topBar(run, settings, this.layout, {
       savePicture: () => void this.savePicture(),
@@ -82,7 +89,9 @@ export class Page {
       fullScreen: () => this.fullScreen(),
     });
     const bottom = live ? liveBar(run, live) : replayBar(run, run.replay!, settings, replay!);
-    this.element.append(top, layers, vehicles.element, charts, bottom, noticeBox(run.notice), hover, help.element);
+    // In the order in which the tab key goes through them.
+    this.element.append(top, layers, firstSteps(settings, host, run.gone.signal), bottom, charts.element, vehicles.element);
+    this.element.append(noticeBox(run.notice), hover, help.element);
     if (live) this.element.append(waitingCard(run, live.toggle));
     if (this.noScene) {
       this.element.append(
@@ -98,7 +107,7 @@ export class Page {
       this.layout.open.now((open) => {
         show(layers, open.has("layers"));
         show(vehicles.element, open.has("vehicles"));
-        show(charts, open.has("charts"));
+        show(charts.element, open.has("charts"));
       }),
     );
     listen(table, run.gone.signal);
@@ -120,6 +129,7 @@ export class Page {
       colour: run.colour.value,
       theme: this.settings.theme.value,
       ...(run.charts.value ? { charts: run.charts.value } : {}),
+      ...(run.markKind.value ? { marks: run.markKind.value } : {}),
       panels: [...this.layout.open.value],
     };
   }
@@ -130,6 +140,7 @@ export class Page {
     if (place.layers) run.layers.value = place.layers;
     if (place.colour) run.paint(place.colour);
     if (place.charts) run.charts.value = place.charts;
+    if (place.marks) run.markKind.value = place.marks;
     if (place.panels) this.layout.open.value = new Set(place.panels.filter((name): name is Panel => ["layers", "vehicles", "charts"].includes(name)));
     if (place.t_s !== undefined) run.seek(place.t_s);
     if (place.select !== undefined) {
@@ -305,7 +316,7 @@ export class Page {
     this.run.gone.signal.addEventListener("abort", end);
   }
 
-  private keys(search: () => void, help: () => void): Key[] {
+  private keys(open: { search(): void; chooseCharts(): void; help(): void }): Key[] {
     const { run, settings, layout } = this;
     const key = (group: string, keys: string, does: string, act: () => void): Key => ({ group, keys: keys.split(" "), does, act });
     const time = run.live ? this.liveKeys(key) : this.replayKeys(key);
@@ -316,29 +327,30 @@ export class Page {
       key("View", "f", "follow the selected vehicle", () => this.follow()),
       key("View", "Escape", "select nothing", () => run.select(null)),
       ...layerNames.map((name, at) => key("Show", String(at + 1), layerWords[name].toLowerCase(), () => run.toggleLayer(name))),
-      key("Page", "/", "find a vehicle", search),
+      key("Page", "/", "find a vehicle", open.search),
       key("Page", "l", "layers and colours", () => layout.toggle("layers")),
       key("Page", "v", "vehicles", () => layout.toggleTab("vehicles")),
       key("Page", "m", "marks: contacts, events, log", () => layout.toggleTab("marks")),
       key("Page", "c", "charts", () => layout.toggle("charts")),
+      key("Page", "g", "choose charts", open.chooseCharts),
       key("Page", "i", "save a picture", () => void this.savePicture()),
       key("Page", "y", "copy a link to this view", () => void this.copyLink()),
       key("Page", "d", "theme: auto, light, dark", () => settings.nextTheme()),
       key("Page", "z", "large text", () => (settings.large.value = !settings.large.value)),
       key("Page", "Shift+F", "full screen", () => this.fullScreen()),
-      key("Page", "? h", "these keys", help),
+      key("Page", "? h", "these keys", open.help),
     ];
   }
 
   private liveKeys(key: (group: string, keys: string, does: string, act: () => void) => Key): Key[] {
     const act = liveActions(this.run);
     return [
-      key("Run", "Space", "pause and resume", act.toggle),
+      key("Run", "Space", "start, pause, resume", act.toggle),
       key("Run", ".", "step one instant", act.instant),
       key("Run", ">", "step 0.1 s", act.tenth),
       key("Run", "-", "slower", () => act.pace(-1)),
       key("Run", "+ =", "faster", () => act.pace(1)),
-      key("Run", "0", "as time on the wall", () => act.setPace(1)),
+      key("Run", "0", "real time: 1 ×", () => act.setPace(1)),
       key("Run", "9", "as fast as possible", () => act.setPace(null)),
     ];
   }

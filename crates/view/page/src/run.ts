@@ -22,6 +22,8 @@ export interface Notice {
   bad: boolean;
 }
 
+/** So long a state that was asked for is believed to come. */
+const EXPECTED_MS = 2000;
 /** Marks that are kept; the oldest go. */
 const MOST_MARKS = 10_000;
 /** The names under which the charge of batteries may come. */
@@ -43,6 +45,10 @@ export interface Has {
 export class Run {
   readonly series = new SeriesStore();
   readonly state = new Signal<State | null>(null);
+  /** The state as the program told it last, without what is expected of it. */
+  told: State | null = null;
+  /** Events before this page came: a run that has had no other since has not begun, or stands. */
+  firstEvents: number | null = null;
   readonly details = new Signal<Details | null>(null);
   readonly links = new Signal<Link[]>([]);
   readonly wind = new Signal<number[][]>([]);
@@ -50,6 +56,8 @@ export class Run {
   readonly notice = new Signal<Notice | null>(null);
   /** In order of time. */
   marks: Mark[] = [];
+  /** The kind of marks that are listed, drawn and jumped to; empty: all. */
+  readonly markKind = new Signal("");
   readonly marked = new Signal(0);
   marksDropped = 0;
 
@@ -71,6 +79,7 @@ export class Run {
   onBusy: () => void = () => {};
 
   private colourAsked: string | null = null;
+  private expected: { part: Partial<State>; until_ms: number } | null = null;
   private readonly numbers = new Map<string, number>();
   private readonly linkTimes: { t: number; list: Link[] }[] = [];
 
@@ -122,7 +131,7 @@ export class Run {
   hear(message: Exclude<ServerMessage, Hello>): void {
     switch (message.type) {
       case "state":
-        this.state.value = message;
+        this.hearState(message);
         break;
       case "series":
         this.series.declare(message.list);
@@ -166,6 +175,24 @@ export class Run {
         this.onBusy();
         break;
     }
+  }
+
+  /** What was just asked for is shown at once: who presses twice means the second after the first. */
+  expect(part: Partial<State>): void {
+    if (!this.state.value) return;
+    this.expected = { part: { ...this.expected?.part, ...part }, until_ms: performance.now() + EXPECTED_MS };
+    this.state.value = { ...this.state.value, ...part };
+  }
+
+  private hearState(state: State): void {
+    this.told = state;
+    this.firstEvents ??= state.events;
+    const { expected } = this;
+    const came = expected && (Object.keys(expected.part) as (keyof State)[]).every((name) => state[name] === expected.part[name]);
+    if (!expected || came || state.ended !== null || performance.now() > expected.until_ms) {
+      this.expected = null;
+      this.state.value = state;
+    } else this.state.value = { ...state, ...expected.part };
   }
 
   select(vehicle: number | null): void {
@@ -219,17 +246,26 @@ export class Run {
     this.onBusy();
   }
 
-  /** To the next mark, or the one before: of the selected vehicle, if there is one that has any. */
+  /** Marks of the kind that is wanted. */
+  marksWanted(): Mark[] {
+    const kind = this.markKind.value;
+    return kind === "" ? this.marks : this.marks.filter((mark) => mark.kind === kind);
+  }
+
+  /** To the next mark, or the one before: of the kind that is wanted, and of the selected vehicle, if it has any. */
   seekMark(by: 1 | -1): void {
     if (!this.replay) return;
     const here = this.replay.time_s;
     const vehicle = this.selected.value;
-    const own = vehicle === null ? [] : this.marks.filter((mark) => mark.who.includes(vehicle));
-    const list = own.length > 0 ? own : this.marks;
+    const wanted = this.marksWanted();
+    const own = vehicle === null ? [] : wanted.filter((mark) => mark.who.includes(vehicle));
+    const list = own.length > 0 ? own : wanted;
     const mark =
       by > 0 ? list.find((mark) => mark.t > here + 1e-9) : list.findLast((mark) => mark.t < here - 1e-9);
     if (!mark) {
-      this.say(by > 0 ? "No mark after this time." : "No mark before this time.");
+      const kind = this.markKind.value || "mark";
+      const whose = own.length > 0 ? ` of ${this.path(vehicle!)}` : "";
+      this.say(`No ${kind}${whose} ${by > 0 ? "after" : "before"} this time.`);
       return;
     }
     this.replay.play(false);

@@ -82,9 +82,12 @@ export async function execute(...args) {
   if (code !== 0) throw new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`);
 }
 
-/** A tab with the page, drawn at least once. What goes wrong in it is in `faults`. */
+/** A tab with the page, drawn at least once, as for somebody who knows it, or a `newcomer`. What goes wrong in it is in `faults`. */
 export async function open(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, reducedMotion: "reduce", acceptDownloads: true, ...options });
+  const { newcomer = false, ...rest } = options;
+  const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, reducedMotion: "reduce", acceptDownloads: true, ...rest });
+  // The first hints are gone where somebody has used the page.
+  if (!newcomer) await context.addInitScript(() => location.protocol.startsWith("http") && localStorage.setItem("simbeeotic.met", "yes"));
   // While one works on the page: what lies in dist, not what the program embeds.
   if (process.env.FRESH) {
     const types = { "page.js": "text/javascript", "page.css": "text/css" };

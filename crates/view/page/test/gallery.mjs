@@ -54,7 +54,7 @@ try {
     const page = await open(browser, `${run.url}#camera=30,-34,22,0,2,3&layers=links,packets,beams,trails,grid,world&theme=light`, { viewport: size });
     await page.keyboard.press("Space");
     await untilTime(page, 30);
-    await page.click("#real-time");
+    await page.keyboard.press("0");
     await select(page, "bee-3");
     await untilTime(page, (await page.evaluate(() => window.simbeeotic.time_s())) + 2);
     await page.keyboard.press("Space");

@@ -19,12 +19,16 @@ test("a run started paused waits, says so, and starts when it is told to", async
   run = await serve("run", scenario("first-swarm"), "--view", "--paused", "--no-record");
   page = await open(browser, run.url);
   await page.locator("#waiting").waitFor();
-  await state("live, paused");
+  await state("waits for start");
+  assert.match(await page.textContent("#waiting"), /ready, and waits for you/);
+  assert.equal(await page.getAttribute("#pause", "aria-label"), "Start");
   assert.equal(await page.title(), "first-swarm · live · Simbeeotic");
   assert.equal(await time(page), 0);
-  await page.keyboard.press("Space");
+  const { events } = await page.evaluate(() => window.simbeeotic.state());
+  await page.click("#start");
   await page.locator("#waiting").waitFor({ state: "hidden" });
   await state("live");
+  await until(page, (events) => window.simbeeotic.state().events > events, events);
 });
 
 test("time moves, and so do the vehicles", async () => {
@@ -47,6 +51,15 @@ test("pause stops it, resume lets it go on", async () => {
   await untilTime(page, t + 0.1);
 });
 
+test("who presses twice at once pauses and resumes, however slow the answer is", async () => {
+  const t = await time(page);
+  await page.keyboard.press("Space");
+  await page.keyboard.press("Space");
+  await state("live");
+  await untilTime(page, t + 0.5);
+  assert.equal((await page.evaluate(() => window.simbeeotic.state())).paused, false);
+});
+
 test("a step goes 0.1 s, or to the next instant", async () => {
   await page.keyboard.press("Space");
   await state("live, paused");
@@ -62,19 +75,19 @@ test("a step goes 0.1 s, or to the next instant", async () => {
   await state("live, paused");
 });
 
-test("the pace is set by buttons and keys", async () => {
-  const pace = (text) => until(page, (text) => document.getElementById("pace").textContent === text, text);
-  await pace("1 ×");
+test("the speed of the run is set by buttons, keys and from a list", async () => {
+  // What the program says, and what the page shows.
+  const pace = (factor) => until(page, (factor) => window.simbeeotic.state().factor === factor && document.getElementById("pace").value === String(factor), factor);
+  await pace(1);
   await page.click("#faster");
-  await pace("2 ×");
-  await page.keyboard.press("-");
-  await pace("1 ×");
-  await page.keyboard.press("-");
-  await pace("0.5 ×");
-  await page.click("#max-pace");
-  await pace("max");
-  await page.click("#real-time");
-  await pace("1 ×");
+  await page.click("#faster");
+  await pace(5);
+  for (let k = 0; k < 3; k += 1) await page.keyboard.press("-");
+  await pace(0.5);
+  await page.selectOption("#pace", { label: "as fast as possible" });
+  await pace(null);
+  await page.keyboard.press("0");
+  await pace(1);
 });
 
 test("a vehicle is found by its name, and told about", async () => {
@@ -135,13 +148,27 @@ test("charts have data", async () => {
     return data.some((value, at) => at % 4 === 3 && value > 0);
   });
   assert.ok(inked);
-  // All there is may have a chart already.
-  const before = await page.locator(".chart").count();
-  await page.locator(".chart button").last().click();
-  await until(page, (before) => document.querySelectorAll(".chart").length === before - 1, before);
-  const count = before - 1;
-  await page.selectOption("#add-chart", { index: 1 });
-  await until(page, (count) => document.querySelectorAll(".chart").length === count + 1, count);
+});
+
+test("charts are chosen by name, and taken away", async () => {
+  const names = (list) => until(page, (list) => [...document.querySelectorAll(".chart")].map((it) => it.dataset.series).join() === list, list.join());
+  await page.keyboard.press("g");
+  await page.locator("#chart-chooser").waitFor();
+  for (const box of await page.locator("#chart-chooser input:checked").all()) await box.evaluate((it) => it.click());
+  await names([]);
+  await page.keyboard.type("contacts");
+  assert.equal(await page.locator("#chart-chooser .check:visible").count(), 1);
+  await page.locator("#chart-chooser").getByLabel("contacts").check();
+  await names(["contacts"]);
+  assert.deepEqual((await place(page)).charts, [{ name: "contacts", own: false }]);
+  await page.click("#usual-charts");
+  await until(page, () => window.simbeeotic.place().charts === undefined);
+  await page.keyboard.press("Escape");
+  await page.locator("#chart-chooser").waitFor({ state: "hidden" });
+  await page.locator('.chart[data-series="speed"]').waitFor();
+  await page.hover('.chart[data-series="speed"]');
+  await page.click('.chart[data-series="speed"] button');
+  await until(page, () => document.querySelector('.chart[data-series="speed"]') === null);
 });
 
 test("all went without an error on the console", () => {

@@ -28,6 +28,7 @@ test("ten thousand vehicles are drawn, listed and found", async () => {
   await until(page, (t) => window.simbeeotic.time_s() >= t + 0.0999, t);
   await drawn(page, before + 1);
   assert.deepEqual(page.faults, []);
+  await page.context().close();
 });
 
 test("no vehicle, one vehicle: what there is not is not shown", async () => {

@@ -51,6 +51,7 @@ export function button(
   content: Node | string,
   act: () => void,
   extra: Attributes = {},
+  ...more: Child[]
 ): HTMLButtonElement {
   return h(
     "button",
@@ -63,5 +64,6 @@ export function button(
       ...extra,
     },
     content,
+    ...more,
   );
 }

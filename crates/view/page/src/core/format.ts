@@ -2,20 +2,33 @@
 
 const minus = "\u2212";
 
-/** A number with about `digits` significant digits: `12.3`, `0.0041`, `1.2 M`. */
+/** A number with about `digits` significant digits: `12.3`, `0.0041`, `1.23 M`, `2.5×10⁻⁷`. */
 export function number(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const sign = value < 0 ? minus : "";
   if (size === 0) return "0";
-  if (size >= 1e15 || size < 1e-4) return sign + size.toExponential(digits - 1).replace("-", minus);
+  if (size >= 1e15 || size < 1e-4) return sign + power(size, digits);
+  // What rounds to a thousand of one is one of the next.
+  const rounded = Number(size.toPrecision(digits));
   for (const [scale, name] of [[1e12, "T"], [1e9, "G"], [1e6, "M"]] as const) {
-    if (size >= scale) return `${sign}${(size / scale).toPrecision(digits)} ${name}`;
+    if (rounded >= scale) return `${sign}${figures(size / scale, digits)} ${name}`;
   }
   if (Number.isInteger(size) && size < 1000) return sign + size;
-  if (size >= 1000) return sign + Math.round(size).toLocaleString("en").replaceAll(",", "\u202f");
-  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
-  return sign + size.toFixed(Math.min(decimals, 6));
+  if (size >= 1000) return sign + count(size);
+  return sign + figures(size, digits);
+}
+
+function figures(size: number, digits: number): string {
+  const decimals = digits - 1 - Math.floor(Math.log10(Number(size.toPrecision(digits))));
+  return size.toFixed(Math.min(Math.max(decimals, 0), 6));
+}
+
+/** What is too small or too large to be written out. */
+function power(size: number, digits: number): string {
+  const [head = "", exponent = "0"] = size.toExponential(digits - 1).split("e");
+  const raised = [...exponent.replace("+", "")].map((sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("");
+  return `${head.replace(/\.?0+$/, "")}×10${raised}`;
 }
 
 /** With this many decimals, always: columns of figures stay where they are. */
@@ -53,10 +66,27 @@ export function factor(value: number): string {
 
 /** A unit behind a number; the unit of plain numbers is not said. */
 export function unit(of: string): string {
-  return of === "" || of === "1" ? "" : `\u00a0${of}`;
+  const text = unitWords(of);
+  return text === "" ? "" : `\u00a0${text}`;
 }
 
-/** The name of a series in words: `packets/sent` is `packets sent`. */
+/** A unit as people write it: `/s` is "each second". */
+export function unitWords(of: string): string {
+  return of === "1" ? "" : of.replace(/^1\//, "/");
+}
+
+/** Numbers that many runs have, in words. */
+const known: { [name: string]: string } = {
+  energy: "energy spent",
+  "packets/sent": "packets sent",
+  "packets/received": "packets received",
+  "packets/delivery": "packets delivered",
+  "battery/soc": "charge",
+};
+
+/** The name of a series in words: `planned/out` is `planned out`, its mean over the vehicles `planned out (mean)`. */
 export function words(name: string): string {
-  return name.replaceAll("/", " ").replaceAll("_", " ");
+  const [, of, over] = /^(.*)\/(sum|mean)$/.exec(name) ?? [null, name, ""];
+  const text = known[of!] ?? of!.replaceAll("/", " ").replaceAll("_", " ");
+  return over ? `${text} (${over})` : text;
 }

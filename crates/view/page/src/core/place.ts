@@ -13,6 +13,8 @@ export interface Place {
   theme?: Theme;
   charts?: ChartKey[];
   panels?: string[];
+  /** The kind of marks that are wanted; all without. */
+  marks?: string;
 }
 
 export type Theme = "auto" | "light" | "dark";
@@ -45,6 +47,7 @@ export function writePlace(place: Place): string {
   }
   if (place.theme) out.set("theme", place.theme);
   if (place.charts) out.set("charts", place.charts.map((key) => (key.own ? "own:" : "") + key.name).join(","));
+  if (place.marks) out.set("marks", place.marks);
   if (place.panels) out.set("panels", place.panels.join(","));
   // Readable where an address may be: commas, colons and slashes have no meaning of their own behind a `#`.
   return out.toString().replaceAll("%2C", ",").replaceAll("%3A", ":").replaceAll("%2F", "/");
@@ -81,6 +84,8 @@ export function readPlace(hash: string): Place {
       .filter((text) => text !== "")
       .map((text) => (text.startsWith("own:") ? { name: text.slice(4), own: true } : { name: text, own: false }));
   }
+  const marks = given.get("marks");
+  if (marks) place.marks = marks;
   const panels = given.get("panels");
   if (panels !== null) place.panels = panels.split(",").filter((text) => text !== "");
   return place;

@@ -22,8 +22,8 @@ export class Line {
     return this.values.at(-1) ?? null;
   }
 
-  /** The newest value at or before `t_s`. */
-  at(t_s: number): number | null {
+  /** The number of the newest point at or before `t_s`; -1 if there is none. */
+  pointAt(t_s: number): number {
     let low = 0;
     let high = this.times.length;
     while (low < high) {
@@ -31,7 +31,17 @@ export class Line {
       if (this.times[middle]! <= t_s) low = middle + 1;
       else high = middle;
     }
-    return low > 0 ? this.values[low - 1]! : null;
+    return low - 1;
+  }
+
+  /** The newest value at or before `t_s`. */
+  at(t_s: number): number | null {
+    return this.values[this.pointAt(t_s)] ?? null;
+  }
+
+  /** Whether there is more to it than zeros. */
+  get speaks(): boolean {
+    return this.values.some((value) => value !== null && value !== 0);
   }
 
   push(t_s: number, value: number): void {

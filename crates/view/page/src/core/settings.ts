@@ -1,4 +1,4 @@
-// What this browser remembers of the page: its theme and the size of its text. Without storage: nothing.
+// What this browser remembers of the page: its theme, the size of its text, and that somebody has used it. Without storage: nothing.
 
 import { Signal } from "./signal";
 import type { Theme } from "./place";
@@ -22,6 +22,8 @@ function remember(name: string, value: string): void {
 export class Settings {
   readonly theme: Signal<Theme>;
   readonly large: Signal<boolean>;
+  /** Whether nobody has used the picture in this browser yet. */
+  readonly newcomer: Signal<boolean>;
   /** Whether the page is dark now, by its own theme or the system's. */
   readonly dark: Signal<boolean>;
   private readonly system = matchMedia("(prefers-color-scheme: dark)");
@@ -30,6 +32,8 @@ export class Settings {
     const theme = remembered("theme");
     this.theme = new Signal<Theme>(theme === "light" || theme === "dark" ? theme : "auto");
     this.large = new Signal(remembered("text") === "large");
+    this.newcomer = new Signal(remembered("met") !== "yes");
+    this.newcomer.on(() => remember("met", "yes"));
     this.dark = new Signal(this.isDark());
     const apply = () => {
       const dark = this.isDark();

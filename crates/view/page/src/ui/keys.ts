@@ -64,6 +64,8 @@ export function listen(table: Key[], signal: AbortSignal): void {
       // What has the focus is pressed by these.
       if (pressable(event.target) && (name === "Enter" || name === "Space")) return;
       const key = acts.get(name);
+      // Escape closes what has popped up, by the browser's own hand.
+      if (name === "Escape" && document.querySelector(":popover-open")) return;
       // Over an open sheet only the key that opened it works; Escape is the browser's own.
       if (!key || (document.querySelector("dialog[open]") && name !== "?" && name !== "h")) return;
       event.preventDefault();

@@ -1,7 +1,7 @@
 // The panel on the left: what is drawn, by what it is coloured, and from where it is seen.
 
 import { button, h, say, show } from "../core/dom";
-import { fixed, number, unit, words } from "../core/format";
+import { count, fixed, number, unitWords, words } from "../core/format";
 import { layerNames } from "../core/place";
 import { batteryName, type Run } from "../run";
 import { GREY, css } from "../scene/colours";
@@ -32,7 +32,8 @@ const MOST_RADIOS = 256;
 /** With more vehicles only the selected one has a trail. */
 const MOST_TRAILS = 500;
 
-export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () => void): HTMLElement {
+/** `list`: shows all vehicles of a kind in the list of vehicles. */
+export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () => void, list: (kind: string) => void): HTMLElement {
   return h(
     "section",
     { class: "panel left", id: "layers", "aria-label": "layers and colours" },
@@ -40,13 +41,13 @@ export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () =>
     layerBoxes(run),
     h("h2", { text: "Colour by" }),
     colourChoice(run),
-    legendBox(run),
+    legendBox(run, list),
     h("h2", { text: "View" }),
     h(
       "div",
       { class: "views" },
       ...views.map(([view, label, key, short]) => button(label, key, short, () => look(view), { class: "tool plain" })),
-      button("All vehicles in sight", "a", "Fit", fit, { class: "tool plain", id: "fit" }),
+      button("All vehicles in sight", "a", "Show all", fit, { class: "tool plain", id: "fit" }),
     ),
   );
 }
@@ -95,7 +96,8 @@ function colourChoice(run: Run): HTMLElement {
     const battery = batteryName(run.series);
     if (battery) options.push(option("battery", "battery"));
     for (const [name, of] of run.series.ofVehicles()) {
-      if (name !== battery) options.push(option(`value:${name}`, `${words(name)}${unit(of)}`));
+      const shown = unitWords(of);
+      if (name !== battery) options.push(option(`value:${name}`, `${words(name)}${shown === "" ? "" : `, ${shown}`}`));
     }
     const { by, name } = run.colour.value;
     const chosen = by === "value" ? `value:${name}` : by;
@@ -113,22 +115,31 @@ function colourChoice(run: Run): HTMLElement {
   return choice;
 }
 
-function legendBox(run: Run): HTMLElement {
+function legendBox(run: Run, list: (kind: string) => void): HTMLElement {
   const box = h("div", { class: "legend", id: "legend", "aria-label": "legend" });
   run.legend.now((legend) => {
-    box.replaceChildren(...(legend ? entries(legend) : []));
+    box.replaceChildren(...(legend ? entries(run, legend, list) : []));
     show(box, legend !== null);
   });
   return box;
 }
 
-function entries(legend: Legend): HTMLElement[] {
+/** Kinds that the legend names; a list of more helps nobody. */
+const MOST_NAMES = 12;
+
+function entries(run: Run, legend: Legend, list: (kind: string) => void): HTMLElement[] {
   if (legend.names) {
-    return legend.names.slice(0, 12).map(([name, colour]) => {
+    const counts = new Map<string, number>();
+    for (const kind of run.hello.vehicles.kinds) counts.set(kind, (counts.get(kind) ?? 0) + 1);
+    const rows: HTMLElement[] = legend.names.slice(0, MOST_NAMES).map(([name, colour]) => {
       const dot = h("span", { class: "dot" });
       dot.style.background = colour;
-      return h("div", { class: "entry" }, dot, h("span", { class: "cut", text: name, title: name }));
+      const times = counts.get(name);
+      return button(`List all of kind ${name}`, null, dot, () => list(name), { class: "entry" }, h("span", { class: "cut", text: name }), times !== undefined && h("span", { class: "faint end figure", text: count(times) }));
     });
+    const rest = legend.names.length - MOST_NAMES;
+    if (rest > 0) rows.push(h("p", { class: "faint", text: `and ${rest} more` }));
+    return rows;
   }
   const bar = h("div", { class: "ramp" });
   bar.style.background = `linear-gradient(to right, ${legend.stops.join(", ")})`;
@@ -136,14 +147,16 @@ function entries(legend: Legend): HTMLElement[] {
   const grey = h("span", { class: "dot" });
   grey.style.background = css(GREY);
   const span = legend.high - legend.low;
-  const end = (value: number) => (near && span > 0 ? fixed(value, Math.max(0, 2 - Math.floor(Math.log10(span)))) : number(value));
+  // A charge is a share of the whole.
+  const share = run.colour.value.by === "battery";
+  const end = (value: number) => (share ? `${fixed(100 * value, 0)} %` : near && span > 0 ? fixed(value, Math.max(0, 2 - Math.floor(Math.log10(span)))) : number(value));
   return [
     bar,
     h(
       "div",
       { class: "ends" },
       h("span", { text: end(legend.low) }),
-      h("span", { class: "faint cut", text: `${legend.title}${legend.unit && legend.unit !== "1" ? `, ${legend.unit}` : ""}` }),
+      h("span", { class: "faint cut", text: share ? "charge" : unitWords(legend.unit) }),
       h("span", { text: end(legend.high) }),
     ),
     ...(legend.title === "speed" ? [] : [h("div", { class: "entry" }, grey, h("span", { class: "faint", text: "no value" }))]),

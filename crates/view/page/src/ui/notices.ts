@@ -4,7 +4,9 @@ import { button, h, say, show } from "../core/dom";
 import { icon } from "../core/icons";
 import type { Signal } from "../core/signal";
 import type { Link } from "../connection";
+import type { Settings } from "../core/settings";
 import type { Notice, Run } from "../run";
+import { waits } from "./livebar";
 
 const GOOD_MS = 4000;
 const BAD_MS = 12_000;
@@ -40,6 +42,7 @@ export function lostLine(link: Signal<Link>, run: () => Run | null, retry: () =>
           ? "The program is gone: it was stopped, or the connection broke. The page goes on trying."
           : "The program does not answer. Is it still running? The page goes on trying.",
     );
+    line.classList.toggle("calm", Boolean(ended));
     // A connection that is being made anew is not yet one.
     if (state === "lost") show(line, true);
     else if (state === "open") show(line, false);
@@ -49,19 +52,35 @@ export function lostLine(link: Signal<Link>, run: () => Run | null, retry: () =>
 
 /** A run that was started paused waits for somebody: say so where nobody can miss it. */
 export function waitingCard(run: Run, start: () => void): HTMLElement {
+  const begin = button("Start the run", "Space", h("span", { text: "Start" }), start, { class: "tool start", id: "start" });
+  begin.prepend(icon("play"));
   const card = h(
     "div",
-    { class: "card waiting", id: "waiting", hidden: true },
-    h("p", { text: "This run waits for you." }),
-    button("Start", "Space", "Start", start, { class: "tool start" }),
+    { class: "card waiting", id: "waiting", role: "region", "aria-label": "the run waits", hidden: true },
+    h("p", { class: "strong", text: "The run is ready, and waits for you." }),
+    begin,
+    h("p", { class: "faint" }, "or press ", h("kbd", { text: "Space" }), "; ", h("kbd", { text: "." }), " goes one instant on"),
   );
-  // A step does not always take time, but something happens in it.
-  let before: number | null = null;
-  const tell = () => {
-    const state = run.state.value;
-    before ??= state?.events ?? null;
-    show(card, state !== null && state.paused && state.ended === null && state.time_s === 0 && state.events === before);
-  };
-  run.state.now(tell);
+  run.state.now(() => show(card, waits(run)));
   return card;
+}
+
+/** What one can do with the picture, until somebody has done it. */
+export function firstSteps(settings: Settings, host: HTMLElement, gone: AbortSignal): HTMLElement {
+  const touch = matchMedia("(pointer: coarse)").matches;
+  const text = touch
+    ? "Drag to turn, two fingers to move and zoom. Tap a vehicle to look at it closely."
+    : "Drag to turn, right button to move, wheel to zoom. Click a vehicle to look at it closely.";
+  const box = h(
+    "div",
+    { class: "firststeps", id: "first-steps" },
+    h("span", { text }),
+    !touch && h("span", {}, h("kbd", { text: "?" }), " for all keys"),
+    button("Understood", null, icon("close"), () => (settings.newcomer.value = false), { class: "tool small" }),
+  );
+  gone.addEventListener("abort", settings.newcomer.now((newcomer) => show(box, newcomer)));
+  for (const event of ["pointerup", "wheel"]) {
+    host.addEventListener(event, () => (settings.newcomer.value = false), { signal: gone, passive: true });
+  }
+  return box;
 }

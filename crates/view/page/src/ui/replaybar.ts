@@ -37,10 +37,11 @@ export function replayBar(run: Run, replay: ReplayPlayer, settings: Settings, ac
   });
   const speed = h("output", { class: "pace", id: "speed", "aria-label": "speed" });
   replay.speed.now((value) => say(speed, factor(value)));
-  const toMark = [
+  const toMark: HTMLElement[] = [
     button("Mark before", "[", icon("lastMark"), () => run.seekMark(-1), { class: "tool", id: "previous-mark" }),
     button("Next mark", "]", icon("nextMark"), () => run.seekMark(1), { class: "tool", id: "next-mark" }),
   ];
+  toMark.splice(1, 0, h("span", { class: "faint", text: "mark" }));
   run.marked.now(() => {
     for (const it of toMark) it.hidden = run.marks.length === 0;
   });
@@ -51,9 +52,11 @@ export function replayBar(run: Run, replay: ReplayPlayer, settings: Settings, ac
     button("One tick back", ",", icon("back"), () => act.step(-1), { class: "tool", id: "tick-back" }),
     button("One tick on", ".", icon("step"), () => act.step(1), { class: "tool", id: "tick-on" }),
     h("span", { class: "gap" }),
+    h("span", { class: "faint wide", text: "Speed" }),
     button("Slower", "-", icon("slower"), () => act.faster(-1), { class: "tool", id: "slower" }),
     speed,
     button("Faster", "+", icon("faster"), () => act.faster(1), { class: "tool", id: "faster" }),
+    h("span", { class: "gap" }),
     ...toMark,
     timeLine(run, replay, settings),
   );

@@ -1,11 +1,16 @@
 // The time line of a recording: where one is, what is loaded, where something happened. Dragging scrubs.
 
 import { h, say, show } from "../core/dom";
-import { time } from "../core/format";
+import { count, time } from "../core/format";
 import type { Settings } from "../core/settings";
 import { throttled } from "../core/signal";
 import type { ReplayPlayer } from "../player/replay";
 import type { Run } from "../run";
+import type { Mark } from "../wire";
+import { markColour } from "./marks";
+
+/** A mark so near to the pointer is told of. */
+const NEAR_PX = 3;
 
 export function timeLine(run: Run, replay: ReplayPlayer, settings: Settings): HTMLElement {
   const { from_s, to_s } = replay.span;
@@ -38,6 +43,7 @@ export function timeLine(run: Run, replay: ReplayPlayer, settings: Settings): HT
   const drawSoon = throttled(30, draw);
   new ResizeObserver(drawSoon).observe(line);
   run.marked.on(drawSoon);
+  run.markKind.on(drawSoon);
   run.selected.on(drawSoon);
   run.time.now((t_s) => {
     line.setAttribute("aria-valuenow", t_s.toFixed(3));
@@ -63,9 +69,10 @@ export function timeLine(run: Run, replay: ReplayPlayer, settings: Settings): HT
   });
   line.addEventListener("pointermove", (event) => {
     const t_s = timeOf(event);
-    say(hint, time(t_s));
+    say(hint, wordsAt(run, t_s, (span_s * NEAR_PX) / line.clientWidth));
     show(hint, true);
-    hint.style.left = `${Math.min(Math.max(xOf(t_s), 28), line.clientWidth - 28)}px`;
+    const half = hint.offsetWidth / 2;
+    hint.style.left = `${Math.min(Math.max(xOf(t_s), half), line.clientWidth - half)}px`;
     if (line.hasPointerCapture(event.pointerId)) run.seek(t_s);
   });
   line.addEventListener("pointerup", (event) => {
@@ -86,6 +93,22 @@ export function timeLine(run: Run, replay: ReplayPlayer, settings: Settings): HT
     event.stopPropagation();
   });
   return line;
+}
+
+/** The time, and what is marked there. */
+function wordsAt(run: Run, t_s: number, near_s: number): string {
+  let nearest: Mark | null = null;
+  let there = 0;
+  for (const mark of run.marksWanted()) {
+    const away_s = Math.abs(mark.t - t_s);
+    if (away_s > near_s) continue;
+    there += 1;
+    if (!nearest || away_s < Math.abs(nearest.t - t_s)) nearest = mark;
+  }
+  if (!nearest) return time(t_s);
+  const more = there > 1 ? ` and ${count(there - 1)} more` : "";
+  const who = nearest.who.slice(0, 2).map((vehicle) => run.path(vehicle)).join(", ");
+  return `${time(t_s)} · ${[nearest.kind, who].filter(Boolean).join(" ")}${more}`;
 }
 
 /** Round times between which about `most` marks of the scale fit. */
@@ -136,18 +159,19 @@ function paint(canvas: HTMLCanvasElement, line: HTMLElement, run: Run, replay: R
 
   const vehicle = run.selected.value;
   const own: number[] = [];
-  c.fillStyle = colour("--mark");
-  let before = -10;
-  for (const mark of run.marks) {
+  const before = new Map<string, number>();
+  for (const mark of run.marksWanted()) {
     const x = Math.round(xOf(mark.t));
     if (vehicle !== null && mark.who.includes(vehicle)) own.push(x);
-    // Marks in one place look like one.
-    if (x === before) continue;
-    before = x;
-    c.fillRect(x - 0.5, y - 7, 1, 5);
+    // Marks of a kind in one place look like one.
+    const name = markColour(mark.kind);
+    if (x === before.get(name)) continue;
+    before.set(name, x);
+    c.fillStyle = colour(name);
+    c.fillRect(x - 0.5, y - 8, 1.5, 6);
   }
   c.fillStyle = colour("--accent");
-  for (const x of own) c.fillRect(x - 1, y - 9, 2, 8);
+  for (const x of own) c.fillRect(x - 1, y - 12, 2.5, 10);
 
   const x = xOf(run.time.value);
   c.fillRect(xOf(from_s), y - 1.5, x - xOf(from_s), 3);

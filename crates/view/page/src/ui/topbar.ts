@@ -1,11 +1,12 @@
 // The bar on top: which run, how it stands, and what can be done with the page itself.
 
 import { button, h, say, show } from "../core/dom";
-import { count, factor, number, time } from "../core/format";
+import { count, number, time } from "../core/format";
 import { icon, type Icon } from "../core/icons";
 import type { Settings } from "../core/settings";
 import type { Run } from "../run";
 import type { Layout, Panel } from "./layout";
+import { waits } from "./livebar";
 
 export interface PageActions {
   savePicture(): void;
@@ -19,11 +20,11 @@ export function topBar(run: Run, settings: Settings, layout: Layout, act: PageAc
   const badge = h("span", { class: "badge", id: "run-state" });
   const clock = h("output", { class: "clock", id: "clock", "aria-label": "virtual time" });
   const end = h("span", { class: "faint wide", text: hello.end_s === null ? "" : `of ${time(hello.end_s, 0)}` });
-  const speed = h("span", { class: "fact wide", id: "measured-speed", title: "virtual seconds per second" });
-  const viewers = h("span", { class: "fact faint wide", title: "pages that look at this run" });
+  const viewers = h("span", { class: "fact faint wide", id: "viewers", title: "pages that look at this run" });
 
   const panelButton = (panel: Panel, label: string, key: string, image: Icon) => {
-    const it = button(label, key, icon(image), () => layout.toggle(panel), { class: "tool" });
+    const word = panel[0]!.toUpperCase() + panel.slice(1);
+    const it = labelled(word, button(label, key, icon(image), () => layout.toggle(panel), { class: "tool", id: `show-${panel}` }));
     run.gone.signal.addEventListener(
       "abort",
       layout.open.now((open) => it.setAttribute("aria-pressed", String(open.has(panel)))),
@@ -54,17 +55,12 @@ export function topBar(run: Run, settings: Settings, layout: Layout, act: PageAc
     badge.dataset.kind = kind;
     badge.title = state?.ended ? `The run has ended: ${state.ended}` : "";
     if (state) {
-      const skipped = state.skipped > 0 ? `, ${count(state.skipped)} frames skipped` : "";
-      say(speed, state.ended || state.paused ? "" : factor(Math.round(state.speed * 100) / 100));
-      speed.title = `virtual seconds per second, measured${skipped}`;
-      say(viewers, state.viewers > 1 ? `${number(state.viewers)} viewers` : "1 viewer");
+      say(viewers, `${number(state.viewers)} viewers`);
     }
-    if (run.replay) say(speed, factor(run.replay.speed.value));
-    show(viewers, state !== null);
+    show(viewers, state !== null && state.viewers > 1);
   };
   run.state.now(tell);
   run.replay?.playing.on(tell);
-  run.replay?.speed.on(tell);
   run.replay?.waiting.on(tell);
 
   return h(
@@ -80,20 +76,26 @@ export function topBar(run: Run, settings: Settings, layout: Layout, act: PageAc
     badge,
     clock,
     end,
-    speed,
     viewers,
     h("span", { class: "stretch" }),
     panelButton("layers", "Layers and colours", "l", "layers"),
     panelButton("vehicles", "Vehicles and marks", "v", "list"),
     panelButton("charts", "Charts", "c", "chart"),
     h("span", { class: "gap" }),
-    button("Save a picture (PNG)", "i", icon("camera"), act.savePicture, { class: "tool", id: "save-picture" }),
-    button("Copy a link to this view", "y", icon("link"), act.copyLink, { class: "tool", id: "copy-link" }),
+    labelled("Picture", button("Save a picture (PNG)", "i", icon("camera"), act.savePicture, { class: "tool", id: "save-picture" })),
+    labelled("Link", button("Copy a link to this view", "y", icon("link"), act.copyLink, { class: "tool", id: "copy-link" })),
+    h("span", { class: "gap" }),
     theme,
     text,
     button("Full screen", "Shift+F", icon("full"), act.fullScreen, { class: "tool wide" }),
-    button("Keys and help", "?", icon("help"), act.help, { class: "tool", id: "help-button" }),
+    labelled("Help", button("Keys and help", "?", icon("help"), act.help, { class: "tool", id: "help-button" })),
   );
+}
+
+/** Where there is room, a word beside the icon. */
+function labelled(word: string, it: HTMLButtonElement): HTMLButtonElement {
+  it.append(h("span", { class: "label", text: word }));
+  return it;
 }
 
 /** How the run stands, in a word, and for the eye. */
@@ -105,5 +107,6 @@ function standing(run: Run): [word: string, kind: string] {
   const state = run.state.value;
   if (!state) return ["live", "hold"];
   if (state.ended) return ["ended", "end"];
+  if (waits(run)) return ["waits for start", "hold"];
   return state.paused ? ["live, paused", "hold"] : ["live", "run"];
 }

@@ -13,8 +13,8 @@ import { virtualList } from "./virtual";
 
 export interface VehiclesPanel {
   element: HTMLElement;
-  /** The cursor goes to the search box. */
-  search(): void;
+  /** The cursor goes to the search box, with `text` in it. */
+  search(text?: string): void;
 }
 
 export function vehiclesPanel(run: Run, layout: Layout): VehiclesPanel {
@@ -76,10 +76,10 @@ export function vehiclesPanel(run: Run, layout: Layout): VehiclesPanel {
       pages.vehicles,
       pages.marks,
     ),
-    search() {
+    search(text) {
       layout.tab.value = "vehicles";
       layout.set("vehicles", true);
-      finder.focus();
+      finder.focus(text);
     },
   };
 }
@@ -90,7 +90,7 @@ interface Finder {
   /** Somebody looks for something. */
   wanted(): boolean;
   onWanted(then: () => void): void;
-  focus(): void;
+  focus(text?: string): void;
 }
 
 function finderBox(run: Run): Finder {
@@ -104,7 +104,7 @@ function finderBox(run: Run): Finder {
   const input = h("input", {
     type: "search",
     id: "search",
-    placeholder: paths.length === 1 ? "1 vehicle" : `Find among ${count(paths.length)} vehicles`,
+    placeholder: paths.length === 1 ? "1 vehicle" : `Find among ${count(paths.length)}, by name or kind`,
     "aria-label": "find a vehicle by name or kind",
     "aria-keyshortcuts": "/",
     autocomplete: "off",
@@ -180,7 +180,11 @@ function finderBox(run: Run): Finder {
     onWanted(next) {
       then = next;
     },
-    focus() {
+    focus(text) {
+      if (text !== undefined) {
+        input.value = text;
+        search();
+      }
       input.focus();
       input.select();
     },
