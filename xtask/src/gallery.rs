@@ -1,4 +1,5 @@
-//! The gallery of the book: pictures of worlds and objects, and the page that shows them, from one list.
+//! The gallery of the book: the page, plots, the paper's figures, worlds, sensors; all pictures and the page that
+//! shows them, from one list.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -7,11 +8,11 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use toml::{Table, Value};
 
-use crate::page;
 use crate::plots::Plots;
 use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
+use crate::{figure, page};
 
 /// What is drawn.
 const LIST: &str = "docs/book/gallery.toml";
@@ -32,18 +33,7 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
     let list: Table = text.parse().with_context(|| LIST.to_owned())?;
     let sections = sections(&list)?;
     let plots_of_runs = Plots::read(repo)?;
-    for name in names {
-        if plots_of_runs.has(name) {
-            continue;
-        }
-        if !sections
-            .iter()
-            .flat_map(|s| &s.pictures)
-            .any(|p| p.name == *name)
-        {
-            bail!("{LIST} has no picture `{name}`");
-        }
-    }
+    let names = &pictures_of(names, &sections, &plots_of_runs)?;
     let program = Program::build(repo, Profile::Dev)?;
     let room = repo.target_dir()?.join("gallery");
     std::fs::create_dir_all(&room)?;
@@ -59,7 +49,10 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
             drawn += 1;
             continue;
         }
-        if matches!(picture.source, Source::Page(_) | Source::Bench(_)) {
+        if !matches!(
+            picture.source,
+            Source::Generated(_) | Source::File(_) | Source::Written(_)
+        ) {
             continue;
         }
         let file = format!("{IMAGES}/{}.png", picture.name);
@@ -81,6 +74,7 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
         .collect();
     drawn += pages(repo, &program, &wanted, &mut report)?;
     drawn += benches(repo, &room, &wanted)?;
+    drawn += figures(repo, &wanted)?;
     if plots {
         let status = repo
             .cargo()
@@ -89,11 +83,58 @@ pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
             .context("cannot run cargo")?;
         anyhow::ensure!(status.success(), "what sensors read cannot be drawn");
     }
-    std::fs::write(repo.path(PAGE), page(&sections))?;
+    std::fs::write(repo.path(PAGE), page(&sections, &plots_of_runs))?;
     let of_runs = plots_of_runs.draw(repo, &program, &room, names, &mut report)?;
     report.summary =
         format!("{drawn} pictures in {IMAGES}, {of_runs} plots of runs, and their pages");
     Ok(report)
+}
+
+/// The pictures that words name: each names one, or a section, which is all of its pictures.
+fn pictures_of(words: &[String], sections: &[Section], plots: &Plots) -> Result<Vec<String>> {
+    let mut names = Vec::new();
+    for word in words {
+        let section = sections.iter().find(|section| section.name == *word);
+        if let Some(section) = section {
+            names.extend(section.pictures.iter().map(|picture| picture.name.clone()));
+            if section.plots {
+                names.extend(plots.names().map(str::to_owned));
+            }
+            continue;
+        }
+        let pictures = sections.iter().flat_map(|section| &section.pictures);
+        let known = pictures.map(|picture| picture.name.as_str());
+        if !known.chain(plots.names()).any(|name| name == word) {
+            let all: Vec<&str> = sections
+                .iter()
+                .map(|section| section.name.as_str())
+                .collect();
+            bail!(
+                "{LIST} has no picture and no section `{word}`; sections are {}",
+                all.join(", ")
+            );
+        }
+        names.push(word.clone());
+    }
+    Ok(names)
+}
+
+/// Makes the paper's Figures 9 and 10, each once.
+fn figures(repo: &Repo, pictures: &[&Picture]) -> Result<usize> {
+    let mut numbers: Vec<String> = Vec::new();
+    let mut drawn = 0;
+    for picture in pictures {
+        if let Source::Figure { number, .. } = &picture.source {
+            drawn += 1;
+            if !numbers.contains(number) {
+                numbers.push(number.clone());
+            }
+        }
+    }
+    if !numbers.is_empty() {
+        figure::draw(repo, &numbers)?;
+    }
+    Ok(drawn)
 }
 
 /// Takes pictures of the page in a browser, if there is one.
@@ -154,9 +195,13 @@ fn benches(repo: &Repo, room: &Path, pictures: &[&Picture]) -> Result<usize> {
 }
 
 struct Section {
+    /// What it is called by on the command line.
+    name: String,
     title: String,
     text: String,
     pictures: Vec<Picture>,
+    /// Whether all plots of runs follow.
+    plots: bool,
 }
 
 struct Picture {
@@ -184,6 +229,11 @@ enum Source {
     Page(String),
     /// An experiment of `simbeeotic bench`.
     Bench(String),
+    /// A picture of what `cargo xtask figure` makes: the number, and the file.
+    Figure {
+        number: String,
+        file: String,
+    },
     Generated(String),
     File(String),
     Written(String),
@@ -194,7 +244,7 @@ impl Picture {
     fn world_file(&self, program: &Program<'_>, room: &Path) -> Result<PathBuf> {
         let made = room.join(format!("{}.toml", self.name));
         match &self.source {
-            Source::Plot | Source::Page(_) | Source::Bench(_) => {}
+            Source::Plot | Source::Page(_) | Source::Bench(_) | Source::Figure { .. } => {}
             Source::File(file) => return Ok(PathBuf::from(file)),
             Source::Written(text) => std::fs::write(&made, text)?,
             Source::Generated(kind) => {
@@ -211,6 +261,7 @@ impl Picture {
             Source::Plot => return format!("cargo {}", PLOTS.join(" ")),
             // The section says how.
             Source::Page(_) => return String::new(),
+            Source::Figure { number, .. } => return format!("cargo xtask figure {number}"),
             Source::Bench(figure) => {
                 let words = std::iter::once(format!("simbeeotic bench {figure}"));
                 let words = words.chain(self.arguments.iter().cloned());
@@ -235,12 +286,19 @@ impl Picture {
 fn sections(list: &Table) -> Result<Vec<Section>> {
     tables(list, "section")?
         .map(|section| {
-            Ok(Section {
-                title: text(section, "title")?,
-                text: text(section, "text")?,
-                pictures: tables(section, "picture")?
+            let plots = section.get("plots").and_then(Value::as_bool) == Some(true);
+            let pictures = match section.contains_key("picture") || !plots {
+                true => tables(section, "picture")?
                     .map(picture)
                     .collect::<Result<_>>()?,
+                false => Vec::new(),
+            };
+            Ok(Section {
+                name: text(section, "name")?,
+                title: text(section, "title")?,
+                text: text(section, "text")?,
+                pictures,
+                plots,
             })
         })
         .collect()
@@ -250,6 +308,10 @@ fn picture(table: &Table) -> Result<Picture> {
     let source = match (table.get("generate"), table.get("file"), table.get("world")) {
         (None, None, None) if table.contains_key("page") => Source::Page(text(table, "page")?),
         (None, None, None) if table.contains_key("bench") => Source::Bench(text(table, "bench")?),
+        (None, None, None) if table.contains_key("figure") => Source::Figure {
+            number: text(table, "figure")?,
+            file: text(table, "drawing")?,
+        },
         (None, None, None) if text(table, "name")?.starts_with("sensor-") => Source::Plot,
         (Some(_), None, None) => Source::Generated(text(table, "generate")?),
         (None, Some(_), None) => Source::File(text(table, "file")?),
@@ -286,10 +348,15 @@ fn text(table: &Table, key: &str) -> Result<String> {
 }
 
 /// The page, as Markdown.
-fn page(sections: &[Section]) -> String {
-    let mut page = String::from(
-        "# Gallery\n\nPictures of worlds are drawn by `simbeeotic picture`, with the camera that bees can carry. \
-         `cargo xtask gallery`\ndraws all pictures and writes this page, from `docs/book/gallery.toml`.\n",
+fn page(sections: &[Section], plots: &Plots) -> String {
+    let names: Vec<String> = (sections.iter())
+        .map(|section| format!("`{}`", section.name))
+        .collect();
+    let mut page = format!(
+        "# Gallery\n\n`cargo xtask gallery` makes all pictures anew and writes this page, from \
+         `docs/book/gallery.toml` and\n`docs/book/plots.toml`. With names it makes those alone: of a picture, or \
+         of a section:\n{}.\n",
+        names.join(", ")
     );
     for section in sections {
         let _ = write!(page, "\n## {}\n", section.title);
@@ -300,6 +367,7 @@ fn page(sections: &[Section]) -> String {
             let Picture { name, caption, .. } = picture;
             let file = match &picture.source {
                 Source::Bench(figure) => format!("figures/{figure}.svg"),
+                Source::Figure { file, .. } => format!("figures/{file}"),
                 Source::Plot => format!("gallery/{name}.svg"),
                 Source::Page(_) => format!("gallery/{name}.jpg"),
                 _ => format!("gallery/{name}.png"),
@@ -313,6 +381,9 @@ fn page(sections: &[Section]) -> String {
                 let _ = write!(page, "\n```sh\n{}\n```\n", picture.commands());
             }
         }
+        if section.plots {
+            page.push_str(&plots.shown());
+        }
     }
     page
 }
@@ -323,6 +394,7 @@ mod tests {
 
     const EXAMPLE: &str = r#"
         [[section]]
+        name = "things"
         title = "Things"
         text = "Some."
         [[section.picture]]
@@ -334,28 +406,72 @@ mod tests {
         name = "box"
         caption = "A box."
         world = "[[obstacle]]"
+        [[section.picture]]
+        name = "map"
+        caption = "A map."
+        figure = "10"
+        drawing = "map.svg"
+        [[section]]
+        name = "plots"
+        title = "Plots"
+        text = ""
+        plots = true
     "#;
+
+    fn plots() -> Plots {
+        let list = r#"
+            intro = "Plots."
+            [[plot]]
+            title = "Flights"
+            name = "traces"
+            ending = "svg"
+            text = "A run."
+            runs = [["a.toml"]]
+            arguments = ["traces"]
+        "#;
+        Plots::parse(list).expect("a list")
+    }
+
+    fn listed(text: &str) -> Result<Vec<Section>> {
+        sections(&text.parse().expect("a table"))
+    }
 
     #[test]
     fn the_page_has_each_picture_with_what_makes_it() {
-        let list: Table = EXAMPLE.parse().expect("a table");
-        let page = page(&sections(&list).expect("sections"));
+        let page = page(&listed(EXAMPLE).expect("sections"), &plots());
         for part in [
             "## Things",
             "![maze](../../images/gallery/maze.png)",
             "simbeeotic world maze --seed 1 -o maze.toml\nsimbeeotic picture maze.toml -o maze.png --kind depth",
             "```toml\n[[obstacle]]\n```",
+            "![map](../../images/figures/map.svg)\n\n```sh\ncargo xtask figure 10\n```",
+            "## Plots\n\nFlights.\n\n![Flights](../../images/plots/traces.svg)",
+            "simbeeotic plot traces traces.mcap -o traces.svg",
         ] {
             assert!(page.contains(part), "{part} in {page}");
         }
     }
 
     #[test]
+    fn a_name_is_of_a_picture_or_of_all_of_a_section() {
+        let sections = listed(EXAMPLE).expect("sections");
+        let named = |words: &[&str]| {
+            let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+            pictures_of(&words, &sections, &plots())
+        };
+        assert_eq!(
+            named(&["things"]).expect("a section"),
+            ["maze", "box", "map"]
+        );
+        assert_eq!(named(&["box", "plots"]).expect("both"), ["box", "traces"]);
+        assert_eq!(named(&["traces"]).expect("a plot"), ["traces"]);
+        let said = named(&["tings"]).expect_err("a slip").to_string();
+        assert!(said.contains("sections are things, plots"), "{said}");
+    }
+
+    #[test]
     fn a_picture_of_nothing_is_refused() {
-        let list: Table = EXAMPLE
-            .replace("generate = \"maze\"", "")
-            .parse()
-            .expect("a table");
-        assert!(sections(&list).is_err());
+        assert!(listed(&EXAMPLE.replace("generate = \"maze\"", "")).is_err());
+        assert!(listed(&EXAMPLE.replace("drawing = \"map.svg\"", "")).is_err());
     }
 }

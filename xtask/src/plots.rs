@@ -30,9 +30,16 @@ struct Plot {
     name: String,
     ending: String,
     text: String,
-    /// Arguments of `simbeeotic run`, and the name of the recording.
-    runs: Vec<(Vec<String>, String)>,
+    runs: Runs,
     arguments: Vec<String>,
+}
+
+/// What a picture is of.
+enum Runs {
+    /// Arguments of `simbeeotic run`, and the name of the recording, of each run.
+    Single(Vec<(Vec<String>, String)>),
+    /// Arguments of `simbeeotic sweep`. It fills a folder and a table that are called as the picture is.
+    Sweep(Vec<String>),
 }
 
 impl Plots {
@@ -42,7 +49,7 @@ impl Plots {
         Self::parse(&text)
     }
 
-    fn parse(text: &str) -> Result<Self> {
+    pub(crate) fn parse(text: &str) -> Result<Self> {
         let list: Table = text.parse().with_context(|| LIST.to_owned())?;
         let plots = list.get("plot").and_then(Value::as_array);
         let plots = plots.with_context(|| format!("{LIST}: no [[plot]]"))?;
@@ -52,11 +59,6 @@ impl Plots {
                 .map(Plot::parse)
                 .collect::<Result<_>>()?,
         })
-    }
-
-    /// Whether it has a picture of this name.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.plots.iter().any(|plot| plot.name == name)
     }
 
     /// Draws all pictures, or those that are named, and writes the page.
@@ -74,17 +76,10 @@ impl Plots {
             if !names.is_empty() && !names.contains(&plot.name) {
                 continue;
             }
-            let mut recordings = Vec::new();
-            for (run, name) in &plot.runs {
-                let file = room.join(name).to_string_lossy().into_owned();
-                let mut arguments = vec!["run", "--quiet", "--record", &file];
-                arguments.extend(run.iter().map(String::as_str));
-                program.stdout(&arguments)?;
-                recordings.push(file);
-            }
+            let inputs = plot.run(program, room)?;
             let file = format!("{IMAGES}/{}.{}", plot.name, plot.ending);
             let mut arguments = vec!["plot", plot.arguments[0].as_str()];
-            arguments.extend(recordings.iter().map(String::as_str));
+            arguments.extend(inputs.iter().map(String::as_str));
             arguments.extend(["-o", &file]);
             arguments.extend(plot.arguments[1..].iter().map(String::as_str));
             program.stdout(&arguments)?;
@@ -103,24 +98,25 @@ impl Plots {
     fn page(&self) -> String {
         let mut page = format!("# Plots\n\n{}\n", self.intro.trim());
         for plot in &self.plots {
-            let Plot {
-                title,
-                name,
-                ending,
-                text,
-                ..
-            } = plot;
-            let _ = write!(
-                page,
-                "\n## {title}\n\n{}\n\n![{title}](../../images/plots/{name}.{ending})\n\n```sh\n{}\n```\n",
-                text.trim(),
-                plot.commands()
-            );
+            let _ = write!(page, "\n## {}\n\n{}\n", plot.title, plot.text.trim());
+            page.push_str(&plot.shown());
         }
         page.push_str(
-            "\n`cargo xtask gallery` draws all of them and writes this page, from `docs/book/plots.toml`.\n",
+            "\n`cargo xtask gallery plots` draws all of them and writes this page, from `docs/book/plots.toml`.\n",
         );
         page
+    }
+
+    /// All pictures for another page, with their titles and commands.
+    pub(crate) fn shown(&self) -> String {
+        let plots = self.plots.iter();
+        let shown = plots.map(|plot| format!("\n{}.\n{}", plot.title, plot.shown()));
+        shown.collect()
+    }
+
+    /// The names of all pictures.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.plots.iter().map(|plot| plot.name.as_str())
     }
 }
 
@@ -128,7 +124,7 @@ impl Plot {
     fn parse(table: &Table) -> Result<Self> {
         let name = word(table, "name")?;
         let runs = match (table.get("runs"), table.get("sweep")) {
-            (Some(Value::Array(runs)), None) => {
+            (Some(Value::Array(runs)), None) if !runs.is_empty() => {
                 let runs = runs.iter().enumerate().map(|(at, run)| {
                     let recording = match runs.len() {
                         1 => format!("{name}.mcap"),
@@ -136,15 +132,15 @@ impl Plot {
                     };
                     Ok((words(run, &name)?, recording))
                 });
-                runs.collect::<Result<Vec<_>>>()?
+                Runs::Single(runs.collect::<Result<Vec<_>>>()?)
             }
-            (None, Some(Value::Table(sweep))) => sweep_runs(sweep, &name)?,
+            (None, Some(sweep)) => Runs::Sweep(words(sweep, &name)?),
             _ => bail!("{LIST}: {name} has either `runs` or a `sweep`"),
         };
         let arguments = table.get("arguments");
         let arguments = arguments.with_context(|| format!("{LIST}: {name} has no `arguments`"))?;
         let arguments = words(arguments, &name)?;
-        if arguments.is_empty() || runs.is_empty() {
+        if arguments.is_empty() {
             bail!("{LIST}: {name} draws nothing");
         }
         Ok(Self {
@@ -157,59 +153,90 @@ impl Plot {
         })
     }
 
+    /// Runs what it is of. Tells the files, or the folder, that it is drawn from.
+    fn run(&self, program: &Program<'_>, room: &Path) -> Result<Vec<String>> {
+        let path = |name: &str| room.join(name).to_string_lossy().into_owned();
+        match &self.runs {
+            Runs::Single(runs) => {
+                let runs = runs.iter().map(|(run, name)| {
+                    let file = path(name);
+                    let mut arguments = vec!["run", "--quiet", "--record", &file];
+                    arguments.extend(run.iter().map(String::as_str));
+                    program.stdout(&arguments)?;
+                    Ok(file)
+                });
+                runs.collect()
+            }
+            Runs::Sweep(sweep) => {
+                let (folder, table) = (path(&self.name), path(&format!("{}.csv", self.name)));
+                // What an earlier sweep left would be drawn, too.
+                if Path::new(&folder).exists() {
+                    std::fs::remove_dir_all(&folder).with_context(|| folder.clone())?;
+                }
+                let mut arguments = vec!["sweep"];
+                arguments.extend(sweep.iter().map(String::as_str));
+                arguments.extend(["--quiet", "-o", &table]);
+                if !self.is_of_table() {
+                    arguments.extend(["--record", &folder]);
+                }
+                program.stdout(&arguments)?;
+                Ok(vec![if self.is_of_table() { table } else { folder }])
+            }
+        }
+    }
+
+    /// Whether it is drawn from a table of runs.
+    fn is_of_table(&self) -> bool {
+        self.arguments[0] == "sweep"
+    }
+
+    /// The picture and its commands, as Markdown.
+    fn shown(&self) -> String {
+        let Self {
+            title,
+            name,
+            ending,
+            ..
+        } = self;
+        let commands = self.commands();
+        format!("\n![{title}](../../images/plots/{name}.{ending})\n\n```sh\n{commands}\n```\n")
+    }
+
     /// The commands that make it.
     fn commands(&self) -> String {
         let mut commands = String::new();
-        const SHOWN: usize = 2;
-        for (run, file) in self.runs.iter().take(SHOWN) {
-            let _ = writeln!(commands, "simbeeotic run {} --record {file}", quoted(run));
-        }
-        if self.runs.len() > SHOWN {
-            let _ = writeln!(commands, "# ... {} runs in all", self.runs.len());
-        }
-        let recordings = match self.runs.as_slice() {
-            [(_, one)] => one.clone(),
-            _ => format!("{}-*.mcap", self.name),
+        let name = &self.name;
+        let inputs = match &self.runs {
+            Runs::Single(runs) => {
+                for (run, file) in runs {
+                    let _ = writeln!(commands, "simbeeotic run {} --record {file}", quoted(run));
+                }
+                let files: Vec<&str> = runs.iter().map(|(_, file)| file.as_str()).collect();
+                files.join(" ")
+            }
+            Runs::Sweep(sweep) if self.is_of_table() => {
+                let _ = writeln!(commands, "simbeeotic sweep {} -o {name}.csv", quoted(sweep));
+                format!("{name}.csv")
+            }
+            Runs::Sweep(sweep) => {
+                let _ = writeln!(
+                    commands,
+                    "simbeeotic sweep {} --record {name}",
+                    quoted(sweep)
+                );
+                name.clone()
+            }
         };
         let _ = write!(
             commands,
-            "simbeeotic plot {} {recordings} -o {}.{}",
-            self.arguments[0], self.name, self.ending
+            "simbeeotic plot {} {inputs} -o {name}.{}",
+            self.arguments[0], self.ending
         );
         if self.arguments.len() > 1 {
             let _ = write!(commands, " {}", quoted(&self.arguments[1..]));
         }
         commands
     }
-}
-
-/// One run for each value and seed.
-fn sweep_runs(sweep: &Table, name: &str) -> Result<Vec<(Vec<String>, String)>> {
-    let seeds = sweep.get("seeds").and_then(Value::as_integer);
-    let seeds = seeds.with_context(|| format!("{LIST}: {name}: no `seeds`"))?;
-    let more = match sweep.get("more") {
-        Some(more) => words(more, name)?,
-        None => Vec::new(),
-    };
-    let values = sweep.get("values");
-    let values = words(
-        values.with_context(|| format!("{LIST}: {name}: no `values`"))?,
-        name,
-    )?;
-    let mut runs = Vec::new();
-    for value in values {
-        for seed in 1..=seeds {
-            let mut run = vec![word(sweep, "scenario")?];
-            run.extend(["--seed".to_owned(), seed.to_string()]);
-            run.extend([
-                "--set".to_owned(),
-                format!("{}={value}", word(sweep, "key")?),
-            ]);
-            run.extend(more.iter().cloned());
-            runs.push((run, format!("{name}-{value}-{seed}.mcap")));
-        }
-    }
-    Ok(runs)
 }
 
 fn quoted(words: &[String]) -> String {
@@ -255,24 +282,38 @@ mod tests {
         name = "many"
         ending = "png"
         text = "Runs."
-        sweep = { scenario = "a.toml", key = "model.bee.count", values = ["1", "2"], seeds = 2 }
+        sweep = ["a.toml", "--seeds", "2", "--vary", "model.bee.count=1,2"]
         arguments = ["series"]
+        [[plot]]
+        title = "Table"
+        name = "table"
+        ending = "svg"
+        text = "What it came to."
+        sweep = ["a.toml", "--seeds", "2"]
+        arguments = ["sweep", "--x", "seed"]
     "#;
 
     #[test]
     fn the_page_has_each_plot_with_what_makes_it() {
         let plots = Plots::parse(EXAMPLE).expect("a list");
-        assert!(plots.has("many") && !plots.has("none"));
+        assert!(plots.names().eq(["one", "many", "table"]));
         let page = plots.page();
         for part in [
             "## One\n\nA run.\n\n![One](../../images/plots/one.svg)",
             "simbeeotic run scenarios/talk.toml --end-time '5 s' --record one.mcap\n\
              simbeeotic plot traces one.mcap -o one.svg --title 'It is'",
-            "--seed 2 --set model.bee.count=1 --record many-1-2.mcap\n# ... 4 runs in all\n\
-             simbeeotic plot series many-*.mcap -o many.png",
+            "simbeeotic sweep a.toml --seeds 2 --vary model.bee.count=1,2 --record many\n\
+             simbeeotic plot series many -o many.png",
+            "simbeeotic sweep a.toml --seeds 2 -o table.csv\n\
+             simbeeotic plot sweep table.csv -o table.svg --x seed",
         ] {
             assert!(page.contains(part), "{part} is not in {page}");
         }
+        let shown = plots.shown();
+        assert!(
+            shown.contains("\nMany.\n\n![Many](../../images/plots/many.png)"),
+            "{shown}"
+        );
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod metrics;
 mod operator;
 mod plot;
 mod plot_runs;
+mod plot_sweeps;
 mod program;
 mod radio;
 mod shelf;

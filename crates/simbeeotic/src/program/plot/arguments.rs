@@ -13,10 +13,12 @@ Examples:
   simbeeotic plot coverage talk.mcap -o seen.png --cell \"2 m\" --reach \"3 m\"
   simbeeotic plot links talk.mcap -o links.svg
   simbeeotic plot series run-*.mcap -o soc.svg --metric 'bee-*/battery/soc' --by model.bee.count
+  simbeeotic plot series runs/ -o soc.svg --metric soc --by seed
   simbeeotic plot sweep runs.csv -o contacts.svg --x model.bee.count --metric contacts
 
-The file's ending says what it becomes: .svg or .png. Several recordings are runs of one experiment: series,
-histogram and coverage draw the mean over them with its 95 % confidence band, for each value of `--by`.
+The file's ending says what it becomes: .svg or .png. Several recordings, or a folder of them, are runs of one
+experiment: series, histogram, coverage and links draw the mean over them with its 95 % confidence, traces all of
+them on one map; for each value of `--by` apart.
 Links, delivery and RSSI are drawn from the links that the recorder writes, for at most 256 radios: the
 scenario's, or those that its `packets` names.";
 
@@ -24,8 +26,10 @@ const TRACES_EXAMPLES: &str = "\
 Examples:
   simbeeotic plot traces run.mcap -o flown.svg
   simbeeotic plot traces run.mcap -o flown.svg --models 'bee-*' --color time --to \"20 s\"
+  simbeeotic plot traces run-*.mcap -o seeds.svg --by model.bee.count
   simbeeotic plot traces run.mcap -o flown.png --3d --azimuth \"200 deg\" --elevation \"25 deg\"
 
+Several recordings lie one over the other, a colour each; `--by` draws a map for each of its values, all of one scale.
 What stands at the height of the flights is filled, what hangs above them is an outline only. Vehicles that do not
 move (hives, beacons) are squares with their names. A ring is where a flight starts, a dot where it ends.";
 
@@ -60,7 +64,18 @@ is taken to fly straight on.
 Examples:
   simbeeotic plot coverage run.mcap -o seen.svg --cell \"1 m\" --reach \"2 m\"
   simbeeotic plot coverage run.mcap -o stay.svg --show dwell --area=-20,-20,20,20
+  simbeeotic plot coverage run-*.mcap -o mean.svg --confidence
+  simbeeotic plot coverage run-*.mcap -o sure.svg --show runs --by model.bee.count
   simbeeotic plot coverage run-*.mcap -o share.svg --over-time --area=-20,-20,20,20";
+
+const LINK_EXAMPLES: &str = "\
+Of several recordings of the same radios each half of a line is the mean over runs; it is dashed where the 95 % interval
+of the delivery ratio reaches farther than 0.1 from it. Radios are drawn in the mean of their places.
+
+Examples:
+  simbeeotic plot links run.mcap -o links.svg --least 0.5
+  simbeeotic plot links run-*.mcap -o mean.svg --per-radio 3
+  simbeeotic plot links runs/ -o sizes.svg --by model.bee.count";
 
 const SWEEP_EXAMPLES: &str = "\
 A key whose values are numbers of one unit is an axis of numbers: a line through the means, with a band where they
@@ -75,7 +90,7 @@ Examples:
 /// What is drawn.
 #[derive(Subcommand)]
 pub(in crate::program) enum Plot {
-    /// A map from above: who flew where, over the world; or the same in 3-D; of one recording
+    /// A map from above: who flew where, over the world; or the same in 3-D
     #[command(after_help = TRACES_EXAMPLES)]
     Traces(TraceOptions),
     /// Numbers over time: flights, metrics, packets, what sensors read
@@ -87,7 +102,8 @@ pub(in crate::program) enum Plot {
     /// A map of what was seen of an area, or how much of it over time
     #[command(after_help = COVERAGE_EXAMPLES)]
     Coverage(CoverageOptions),
-    /// A map from above: who hears whom, how often and how loud; of one recording
+    /// A map from above: who hears whom, how often and how loud
+    #[command(after_help = LINK_EXAMPLES)]
     Links(LinkOptions),
     /// How much of what is sent is received, over distance; several recordings are pooled
     Delivery(DistanceOptions),
@@ -102,7 +118,7 @@ pub(in crate::program) enum Plot {
 
 #[derive(Args)]
 pub(crate) struct SweepPlotOptions {
-    /// The table of runs, .csv
+    /// The table of runs, .csv, .json or .parquet
     #[arg(value_name = "TABLE")]
     pub(crate) table: PathBuf,
     /// File to write, .svg or .png
@@ -132,7 +148,7 @@ pub(crate) struct SweepPlotOptions {
 /// What all pictures have.
 #[derive(Args)]
 pub(crate) struct PlotOptions {
-    /// The recording, or the recordings of several runs
+    /// The recording, or the recordings of several runs, or the folder that `sweep --record` wrote
     #[arg(required = true, value_name = "RECORDING")]
     pub(crate) recordings: Vec<PathBuf>,
     /// File to write, .svg or .png
@@ -162,6 +178,8 @@ pub(crate) enum ColorBy {
     Vehicle,
     /// Of which kind it is: models whose names differ in a number only
     Kind,
+    /// Of which run it is
+    Run,
     /// When it was there
     Time,
     /// How high it was
@@ -175,9 +193,14 @@ pub(crate) struct TraceOptions {
     /// Only models whose path matches: 'bee-*', or several, 'bee-1*,hive'
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
     pub(crate) models: Vec<String>,
-    /// What the colours say [default: vehicle, if there are at most seven; else kind]
+    /// What the colours say [default: of several recordings run; else vehicle, if there are at most seven; else
+    /// kind]
     #[arg(long = "color", alias = "colour", value_name = "WHAT")]
     pub(crate) color: Option<ColorBy>,
+    /// Of several recordings: a map for each value of this: a value of the scenario (model.bee.count), seed, file
+    /// [default: all on one map]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
     /// What is above this height is an outline only, with a unit [default: where the flights are]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) level: Option<String>,
@@ -272,8 +295,10 @@ pub(crate) enum CoverageKind {
     Visits,
     /// For how long vehicles were there, added up
     Dwell,
-    /// When the last one was there
+    /// When the last one was there; of several recordings, in the mean over those that had one there
     Last,
+    /// Of several recordings the share in which a vehicle came
+    Runs,
 }
 
 #[derive(Args)]
@@ -298,8 +323,12 @@ pub(crate) struct CoverageOptions {
     /// The share of the area that was seen, over time
     #[arg(long)]
     pub(crate) over_time: bool,
-    /// With --over-time, of several recordings: what sets them apart: model.bee.count, seed, file
-    #[arg(long, value_name = "KEY", requires = "over_time")]
+    /// Beside each map of several recordings another one: half of the 95 % interval of each cell's mean
+    #[arg(long, conflicts_with = "over_time")]
+    pub(crate) confidence: bool,
+    /// Of several recordings: what sets them apart, each value a map or a line: model.bee.count, seed, file
+    /// [default: they are runs of one and the same]
+    #[arg(long, value_name = "KEY")]
     pub(crate) by: Option<String>,
 }
 
@@ -310,6 +339,10 @@ pub(crate) struct LinkOptions {
     /// Where the radios are drawn: their places at this time [default: in the mean]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) time: Option<String>,
+    /// Of several recordings: a map for each value of this: a value of the scenario (model.bee.count), seed, file
+    /// [default: one map of the mean over all]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
     /// Only links that deliver at least this share of the frames, one way or the other
     #[arg(
         long,

@@ -149,6 +149,95 @@ impl Axis {
     }
 }
 
+/// Where numbers would be wider than this beside an axis, they are in powers of ten, pixels.
+const TICK_ROOM: f64 = 54.0;
+/// Words below an axis that would be smaller are turned, pixels.
+const TURNED_BELOW: f64 = 10.5;
+/// Turned words that are longer than this are cut, pixels.
+const TURNED_MAX: f64 = 150.0;
+
+impl Axis {
+    /// Ticks and the label; in powers of a thousand where the numbers do not fit into a room otherwise.
+    fn lettered(&self, ticks: Vec<(f64, String)>, room: f64) -> (Vec<(f64, String)>, String) {
+        if !self.names.is_empty() {
+            let cut = |(value, text): (f64, String)| (value, shortened(text, TURNED_MAX));
+            return (ticks.into_iter().map(cut).collect(), self.label.clone());
+        }
+        let widest = ticks.iter().map(|(_, text)| words::width(text, SMALL));
+        let greatest = self.low.abs().max(self.high.abs());
+        let power = 3 * (math::log10(greatest) / 3.0).floor() as i32;
+        let plain = self.scale != Scale::Linear || widest.fold(0.0, f64::max) <= room;
+        if plain || power == 0 || !greatest.is_finite() {
+            return (ticks, self.label.clone());
+        }
+        // In two parts: ten to the power of 300 is no number's inverse.
+        let tens = |x: f64| {
+            x / math::pow(10.0, 0.5 * f64::from(power)) / math::pow(10.0, 0.5 * f64::from(power))
+        };
+        let ticks = ticks
+            .into_iter()
+            .map(|(value, _)| (value, number(tens(value), tens(self.step))));
+        let ten = format!("10{}", raised(power));
+        let label = match self.label.rsplit_once(", ") {
+            Some((name, unit)) => format!("{name}, {ten} {unit}"),
+            None => format!("{}, {ten}", self.label),
+        };
+        (ticks.collect(), label)
+    }
+
+    /// How much room words below the axis need more if they are turned, pixels; `None` if they need not be.
+    pub(crate) fn turned(&self, wide: f64) -> Option<f64> {
+        let small = |text: &String| self.tick_size(text, wide) < TURNED_BELOW;
+        if !self.names.iter().any(small) {
+            return None;
+        }
+        let widths = self.names.iter().map(|text| words::width(text, SMALL));
+        Some(widths.fold(0.0, f64::max).min(TURNED_MAX))
+    }
+
+    /// The size of a word below the x axis: words of a named axis keep to their room.
+    fn tick_size(&self, text: &str, wide: f64) -> f64 {
+        if self.names.is_empty() {
+            return SMALL;
+        }
+        let room = 0.94 * wide / self.names.len() as f64;
+        SMALL.min(SMALL * room / words::width(text, SMALL).max(1.0))
+    }
+}
+
+/// A text that is cut to a width, with dots where its middle was.
+fn shortened(text: String, most: f64) -> String {
+    if words::width(&text, SMALL) <= most {
+        return text;
+    }
+    let letters: Vec<char> = text.chars().collect();
+    let both = |kept: usize| {
+        let (front, back) = (kept.div_ceil(2), letters.len() - kept / 2);
+        letters[..front]
+            .iter()
+            .chain(&['\u{2026}'])
+            .chain(&letters[back..])
+            .collect::<String>()
+    };
+    let fits = (1..letters.len())
+        .rev()
+        .map(both)
+        .find(|text| words::width(text, SMALL) <= most);
+    fits.unwrap_or_default()
+}
+
+/// An exponent.
+fn raised(power: i32) -> String {
+    let raise = |letter| match letter {
+        '-' => '\u{207b}',
+        '1' => '\u{b9}',
+        '2' => '\u{b2}',
+        '3' => '\u{b3}',
+        digit => char::from_u32(0x2070 + (u32::from(digit) - u32::from('0'))).unwrap_or(digit),
+    };
+    power.to_string().chars().map(raise).collect()
+}
+
 /// The least of 1, 2 and 5 times a power of ten that is not below a number above zero.
 pub(crate) fn nice(least: f64) -> f64 {
     let power = math::log10(least).floor().clamp(-300.0, 300.0) as i32;
@@ -209,33 +298,39 @@ impl Panel {
         ]
     }
 
-    /// The size of a word below the x axis: words of a named axis keep to their room.
-    fn tick_size(&self, text: &str) -> f64 {
-        let rooms = self.x.names.len();
-        if rooms == 0 {
-            return SMALL;
-        }
-        let [left, _, right, _] = self.edges;
-        let room = 0.94 * (right - left) / rooms as f64;
-        SMALL.min(SMALL * room / words::width(text, SMALL).max(1.0))
-    }
-
     /// Draws grid, axes and numbers; those below only if `below`.
     pub(crate) fn draw(&self, sheet: &mut Sheet, below: bool) {
+        self.draw_with(sheet, [true, below]);
+    }
+
+    /// The same; numbers and names of the y axis only if `beside`, of the x axis only if `below`.
+    pub(crate) fn draw_with(&self, sheet: &mut Sheet, [beside, below]: [bool; 2]) {
         let [left, top, right, bottom] = self.edges;
-        for (value, text) in self.x.ticks() {
+        let ticks = self.x.ticks();
+        let between = 0.92 * (right - left) / ticks.len().max(1) as f64;
+        let (ticks, label) = self.x.lettered(ticks, between);
+        let turned = self.x.turned(right - left);
+        for (value, text) in ticks {
             let [x, _] = self.place(value, self.y.low);
             sheet.line(vec![[x, top], [x, bottom]], GRID, 1.0);
             if below {
                 sheet.line(vec![[x, bottom], [x, bottom + 5.0]], AXIS, 1.0);
-                let size = self.tick_size(&text);
-                sheet.words([x, bottom + 22.0], text, size, Anchor::Middle, TEXT);
+                match turned {
+                    Some(_) => sheet.words_turned([x + 5.0, bottom + 10.0], &text, SMALL),
+                    None => {
+                        let size = self.x.tick_size(&text, right - left);
+                        sheet.words([x, bottom + 22.0], text, size, Anchor::Middle, TEXT);
+                    }
+                }
             }
         }
-        for (value, text) in self.y.ticks() {
+        let (ticks, upright) = self.y.lettered(self.y.ticks(), TICK_ROOM);
+        for (value, text) in ticks {
             let [_, y] = self.place(self.x.low, value);
             sheet.line(vec![[left, y], [right, y]], GRID, 1.0);
-            sheet.words([left - 9.0, y + 5.0], text, SMALL, Anchor::End, TEXT);
+            if beside {
+                sheet.words([left - 9.0, y + 5.0], text, SMALL, Anchor::End, TEXT);
+            }
         }
         sheet.line(
             vec![[left, top], [left, bottom], [right, bottom]],
@@ -243,11 +338,15 @@ impl Panel {
             1.2,
         );
         if below {
-            let middle = [0.5 * (left + right), bottom + 47.0];
-            sheet.words(middle, self.x.label.as_str(), NORMAL, Anchor::Middle, TEXT);
+            let foot = bottom + 47.0 + turned.unwrap_or(0.0);
+            let middle = [0.5 * (left + right), foot];
+            sheet.words(middle, label, NORMAL, Anchor::Middle, TEXT);
         }
-        let middle = [left - 66.0, 0.5 * (top + bottom)];
-        sheet.words_upwards(middle, &self.y.label, NORMAL);
+        if beside {
+            let room = bottom - top;
+            let size = NORMAL * (room / words::width(&upright, NORMAL).max(1.0)).clamp(0.6, 1.0);
+            sheet.words_upwards([left - 66.0, 0.5 * (top + bottom)], &upright, size);
+        }
     }
 }
 
@@ -283,6 +382,53 @@ mod tests {
         let wide = Axis::stretched("", 3.0, 2900.0, 3.0);
         assert_eq!((wide.low, wide.high), (0.0, 3000.0));
         assert_eq!(texts(&wide), ["0", "1,000", "2,000", "3,000"]);
+    }
+
+    #[test]
+    fn numbers_without_room_are_in_powers_of_a_thousand() {
+        let lettered = |axis: &Axis, room| {
+            let (ticks, label) = axis.lettered(axis.ticks(), room);
+            (ticks.into_iter().map(|t| t.1).collect::<Vec<_>>(), label)
+        };
+        let (ticks, label) = lettered(&Axis::exact("energy, J", 0.0, 4e8, 4.0), TICK_ROOM);
+        assert_eq!(ticks, ["0", "100", "200", "300", "400"]);
+        assert_eq!(label, "energy, 10\u{2076} J");
+        let (ticks, label) = lettered(&Axis::exact("n", 0.0, 2e-9, 2.0), TICK_ROOM);
+        assert_eq!(
+            (ticks[1].as_str(), label.as_str()),
+            ("1", "n, 10\u{207b}\u{2079}")
+        );
+        let (ticks, label) = lettered(&Axis::exact("n", 0.0, 2e300, 2.0), TICK_ROOM);
+        assert_eq!(
+            (ticks[1].as_str(), label.as_str()),
+            ("1", "n, 10\u{b3}\u{2070}\u{2070}")
+        );
+        let (ticks, label) = lettered(&Axis::exact("n", 0.0, 2000.0, 2.0), TICK_ROOM);
+        assert_eq!((ticks[1].as_str(), label.as_str()), ("1,000", "n"));
+    }
+
+    #[test]
+    fn words_that_would_be_too_small_are_turned_and_long_ones_cut() {
+        let names = |count: usize| {
+            (0..count)
+                .map(|at| format!("file-number-{at}.toml"))
+                .collect()
+        };
+        assert_eq!(Axis::named("", names(3)).turned(600.0), None);
+        assert!(
+            Axis::named("", names(20))
+                .turned(600.0)
+                .is_some_and(|room| room > 80.0)
+        );
+        let cut = shortened(
+            "a/very/long/path/to/some/folder/scenario.toml".to_owned(),
+            150.0,
+        );
+        assert!(
+            words::width(&cut, SMALL) <= 150.0 && cut.contains('\u{2026}'),
+            "{cut}"
+        );
+        assert!(cut.starts_with("a/") && cut.ends_with(".toml"), "{cut}");
     }
 
     #[test]

@@ -54,6 +54,48 @@ pub(super) fn averaged(curves: &[Curve], times: &[f64]) -> Curve {
     }
 }
 
+/// What the mean over some runs is of: the mean of each seed, since runs of one seed have their chance in common;
+/// of one seed its runs.
+pub(super) fn units<S: PartialEq + Copy>(runs: &[(S, f64)]) -> Vec<f64> {
+    let mut seeds: Vec<(S, f64, f64)> = Vec::new();
+    for (seed, number) in runs {
+        match seeds.iter_mut().find(|(other, ..)| other == seed) {
+            Some((_, sum, count)) => (*sum, *count) = (*sum + number, *count + 1.0),
+            None => seeds.push((*seed, *number, 1.0)),
+        }
+    }
+    match seeds.len() {
+        0 | 1 => runs.iter().map(|(_, number)| *number).collect(),
+        _ => seeds.iter().map(|(_, sum, count)| sum / count).collect(),
+    }
+}
+
+/// The same of curves.
+pub(super) fn of_seeds(runs: Vec<(Option<u64>, Curve)>) -> Vec<Curve> {
+    let mut seeds: Vec<(Option<u64>, Vec<Curve>)> = Vec::new();
+    for (seed, curve) in runs {
+        match seeds.iter_mut().find(|(other, _)| *other == seed) {
+            Some((_, curves)) => curves.push(curve),
+            None => seeds.push((seed, vec![curve])),
+        }
+    }
+    match seeds.len() {
+        0 | 1 => seeds.into_iter().flat_map(|(_, curves)| curves).collect(),
+        _ => (seeds.into_iter())
+            .map(|(_, mut curves)| match curves.len() {
+                1 => curves.remove(0),
+                _ => averaged(&curves, &times(curves.iter())),
+            })
+            .collect(),
+    }
+}
+
+/// Half of the 95 % interval of the mean of some values, after Student; `None` of less than two.
+pub(super) fn half_width(values: &[f64]) -> Option<f64> {
+    let [low, high] = band(&mut values.to_vec(), BandKind::Confidence)?;
+    Some(0.5 * (high - low))
+}
+
 pub(crate) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
@@ -191,6 +233,18 @@ mod tests {
         let half = 2.7764 * (2.5_f64 / 5.0).sqrt();
         assert!((low - (3.0 - half)).abs() < 1e-3 && (high - (3.0 + half)).abs() < 1e-3);
         assert_eq!(band(&mut [1.0], BandKind::MinMax), None);
+    }
+
+    #[test]
+    fn runs_of_one_seed_count_once() {
+        let four = units(&[("1", 1.0), ("2", 5.0), ("1", 3.0), ("2", 7.0)]);
+        assert_eq!(four, [2.0, 6.0]);
+        let one = units(&[("1", 1.0), ("1", 3.0)]);
+        assert_eq!(one, [1.0, 3.0], "nothing else is known of their chance");
+        // s = 2.828, t(1) = 12.706, over the root of two.
+        let half = half_width(&four).expect("two seeds");
+        assert!((half - 25.41).abs() < 0.01, "{half}");
+        assert_eq!(half_width(&[1.0]), None);
     }
 
     #[test]

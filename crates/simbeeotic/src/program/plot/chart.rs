@@ -11,6 +11,12 @@ pub(crate) enum Marker {
     Disc,
     Square,
     Diamond,
+    /// A triangle, its tip up.
+    Up,
+    /// A triangle, its tip down.
+    Down,
+    Plus,
+    Cross,
 }
 
 /// Points, and the line through them.
@@ -211,6 +217,22 @@ pub(crate) fn curve_mark(sheet: &mut Sheet, marker: Marker, ink: Ink, [x, y]: [f
             let r = 7.5;
             let corners = vec![[x - r, y], [x, y - r], [x + r, y], [x, y + r]];
             sheet.area(corners, ink);
+        }
+        Marker::Up => sheet.area(
+            vec![[x - 5.5, y + 4.2], [x, y - 5.8], [x + 5.5, y + 4.2]],
+            ink,
+        ),
+        Marker::Down => sheet.area(
+            vec![[x - 5.5, y - 4.2], [x, y + 5.8], [x + 5.5, y - 4.2]],
+            ink,
+        ),
+        Marker::Plus => {
+            sheet.line(vec![[x - 5.5, y], [x + 5.5, y]], ink, 2.6);
+            sheet.line(vec![[x, y - 5.5], [x, y + 5.5]], ink, 2.6);
+        }
+        Marker::Cross => {
+            sheet.line(vec![[x - 4.4, y - 4.4], [x + 4.4, y + 4.4]], ink, 2.6);
+            sheet.line(vec![[x - 4.4, y + 4.4], [x + 4.4, y - 4.4]], ink, 2.6);
         }
     }
 }

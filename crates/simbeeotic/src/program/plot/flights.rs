@@ -4,6 +4,7 @@ use super::super::Failure;
 use super::source::Source;
 use simbeeotic_record::Selection;
 use simbeeotic_units::did_you_mean;
+use std::sync::Arc;
 
 /// Who stayed within this distance of the start stands still, m.
 const STILL_M: f32 = 0.05;
@@ -20,6 +21,10 @@ pub(super) struct Flights {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Flight {
     pub(super) path: String,
+    /// Of several runs, the place of its own.
+    pub(super) run: usize,
+    /// When it was at its points, s.
+    pub(super) times_s: Arc<[f64]>,
     /// What it counts as, if that was recorded.
     pub(super) role: String,
     /// Where it was at each time (east, north, up), m; NaN where that is not known.
@@ -47,6 +52,11 @@ impl Flight {
         points.all(|point| (0..3).all(|k| (point[k] - first[k]).abs() <= STILL_M))
     }
 
+    /// Whether it counts as a vehicle: a hive or a beacon does not.
+    pub(super) fn is_vehicle(&self) -> bool {
+        is_vehicle(&self.role, !self.is_still())
+    }
+
     /// The group it belongs to: its path without the number at its end.
     pub(super) fn group(&self) -> &str {
         let bare = self
@@ -56,6 +66,15 @@ impl Flight {
             Some(group) if !group.is_empty() => group,
             _ => &self.path,
         }
+    }
+}
+
+/// Whether it is a vehicle. Older recordings do not say what is a station: there it is what never moves.
+pub(super) fn is_vehicle(role: &str, moved: bool) -> bool {
+    match role {
+        "station" => false,
+        "" => moved,
+        _ => true,
     }
 }
 
@@ -71,7 +90,7 @@ impl Flights {
                 .map(|at| Flight {
                     path: vehicles[*at].path.clone(),
                     role: vehicles[*at].role.clone(),
-                    points_m: Vec::new(),
+                    ..Flight::default()
                 })
                 .collect(),
         };
@@ -90,7 +109,27 @@ impl Flights {
                 "nothing was recorded of where the models are",
             ));
         }
+        let times_s: Arc<[f64]> = read.times_s.as_slice().into();
+        for flight in &mut read.flights {
+            flight.times_s = Arc::clone(&times_s);
+        }
         Ok(read)
+    }
+
+    /// Leaves those out who are no vehicles, and tells who that is; if nobody is a vehicle, all stay.
+    pub(super) fn vehicles_only(&mut self) -> Vec<String> {
+        if !self.flights.iter().any(Flight::is_vehicle) {
+            return Vec::new();
+        }
+        let mut left_out = Vec::new();
+        self.flights.retain(|flight| {
+            let counts = flight.is_vehicle();
+            if !counts {
+                left_out.push(flight.path.clone());
+            }
+            counts
+        });
+        left_out
     }
 
     /// When it begins and ends, ns.
@@ -164,6 +203,33 @@ mod tests {
         assert_eq!(group("hive/bee-3"), "hive/bee");
         assert_eq!(group("42"), "42");
         assert_eq!(group("x2"), "x2");
+    }
+
+    #[test]
+    fn stations_are_no_vehicles_and_in_old_recordings_what_never_moves_is_none() {
+        let counted = |role| [false, true].map(|moved| is_vehicle(role, moved));
+        assert_eq!(counted("station"), [false, false]);
+        assert_eq!(counted("vehicle"), [true, true]);
+        assert_eq!(counted(""), [false, true]);
+    }
+
+    #[test]
+    fn who_stays_is_left_out_and_named_unless_all_stay() {
+        let flight = |path: &str, role: &str| Flight {
+            path: path.to_owned(),
+            role: role.to_owned(),
+            points_m: vec![[0.0; 3]; 2],
+            ..Flight::default()
+        };
+        let flights = |roles: &[&str]| Flights {
+            flights: roles.iter().map(|role| flight(role, role)).collect(),
+            ..Flights::default()
+        };
+        let mut both = flights(&["vehicle", "station"]);
+        assert_eq!(both.vehicles_only(), ["station"]);
+        assert_eq!(both.flights.len(), 1, "a vehicle that waits is one");
+        let mut none = flights(&["station", "station"]);
+        assert!(none.vehicles_only().is_empty() && none.flights.len() == 2);
     }
 
     #[test]

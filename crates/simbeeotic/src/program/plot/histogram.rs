@@ -3,7 +3,7 @@
 use super::super::Failure;
 use super::arguments::{BandKind, HistogramOptions};
 use super::axes::{Axis, Panel, grouped, nice, number};
-use super::band::{band, mean, quantile};
+use super::band::{band, mean, quantile, units};
 use super::map::{Column, LEGEND};
 use super::palette::series;
 use super::quantity::{Quantity, read};
@@ -22,8 +22,8 @@ const BINS_EVER: f64 = 2000.0;
 struct Pool {
     name: String,
     ink: Ink,
-    /// Of each run.
-    runs: Vec<Vec<f64>>,
+    /// Of each run its seed and its values.
+    runs: Vec<(Option<u64>, Vec<f64>)>,
 }
 
 /// Where bins begin, and how wide they are.
@@ -78,7 +78,8 @@ pub(super) fn histogram(sources: &Sources, options: &HistogramOptions) -> Result
                         runs: Vec::new(),
                     });
                 }
-                pools[first + k].runs.push(values);
+                let seed = source.recording.seed();
+                pools[first + k].runs.push((seed, values));
             }
         }
     }
@@ -91,7 +92,7 @@ pub(super) fn histogram(sources: &Sources, options: &HistogramOptions) -> Result
     }
     let mut all: Vec<f64> = pools
         .iter()
-        .flat_map(|p| p.runs.iter().flatten())
+        .flat_map(|p| p.runs.iter().flat_map(|(_, values)| values))
         .copied()
         .collect();
     if all.is_empty() {
@@ -198,10 +199,10 @@ impl Bins {
 }
 
 fn draw(sheet: &mut Sheet, pools: &[Pool], bins: Bins, label: String) {
-    let shares: Vec<Vec<Vec<f64>>> = (pools.iter())
+    let shares: Vec<Vec<(Option<u64>, Vec<f64>)>> = (pools.iter())
         .map(|pool| {
-            let known = pool.runs.iter().filter(|run| !run.is_empty());
-            known.map(|run| bins.shares(run)).collect()
+            let known = pool.runs.iter().filter(|(_, run)| !run.is_empty());
+            known.map(|(seed, run)| (*seed, bins.shares(run))).collect()
         })
         .collect();
     // Of each pool and bin the mean over runs and its band, %.
@@ -209,7 +210,8 @@ fn draw(sheet: &mut Sheet, pools: &[Pool], bins: Bins, label: String) {
         .map(|runs| {
             (0..bins.count)
                 .map(|bin| {
-                    let mut values: Vec<f64> = runs.iter().map(|run| 100.0 * run[bin]).collect();
+                    let values = runs.iter().map(|(seed, run)| (*seed, 100.0 * run[bin]));
+                    let mut values = units(&values.collect::<Vec<_>>());
                     let middle = mean(&values).unwrap_or(0.0);
                     let ends = band(&mut values, BandKind::Confidence);
                     (
@@ -271,7 +273,7 @@ fn draw(sheet: &mut Sheet, pools: &[Pool], bins: Bins, label: String) {
     }
     let mut column = Column::beside(&panel);
     for (at, pool) in pools.iter().enumerate() {
-        let mut values: Vec<f64> = pool.runs.iter().flatten().copied().collect();
+        let mut values: Vec<f64> = pool.runs.iter().flat_map(|(_, v)| v).copied().collect();
         values.sort_by(f64::total_cmp);
         let Some(middle) = mean(&values) else {
             continue;

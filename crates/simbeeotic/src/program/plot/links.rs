@@ -1,70 +1,39 @@
 //! The map of links: who hears whom, and how well, from above.
 
-use super::super::{Failure, input};
+use super::super::Failure;
 use super::arguments::LinkOptions;
 use super::axes::{Panel, grouped, nice, number};
 use super::ground::Ground;
-use super::map::{Names, map, scale_bar};
+use super::map::{Column, Names, axes, heading, maps, scale_bar};
+use super::net::{Net, Pair, Way, strongest};
 use super::palette::ramp;
-use super::sheet::{Anchor, FAINT, GRID, Ink, SMALL, Sheet, TEXT};
-use super::source::Source;
-use simbeeotic_kernel::SimTime;
-use simbeeotic_record::Links;
-use std::collections::BTreeMap;
+use super::sheet::{Anchor, FAINT, GRID, Ink, SMALL, Sheet};
+use super::source::{Source, Sources};
+use super::sweep::{Group, map_groups};
 
-/// More lines make a picture darker, not clearer: so many in all, or for each radio.
-const LINES_MAX: usize = 600;
-const LINES_EACH: usize = 6;
 /// More names hide what is below.
 const NAMES_MAX: usize = 60;
 /// In less, names and legend find no room, pixels.
 const WIDTH_MIN: u32 = 600;
 const HEIGHT_MIN: u32 = 400;
 const NODE: Ink = Ink::new([0x26, 0x2b, 0x33]);
+/// A delivery ratio that may be farther off than this is drawn dashed.
+const UNSURE: f64 = 0.1;
+/// So few links have their numbers beside them.
+const NUMBERS_MAX: usize = 8;
 
-/// Frames from one radio to another.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Way {
-    sent: u64,
-    received: u64,
-    /// Sum of RSSI over the frames received, dBm.
-    rssi_sum: f64,
-}
-
-impl Way {
-    fn ratio(&self) -> f64 {
-        match self.sent {
-            0 => 0.0,
-            sent => self.received as f64 / sent as f64,
-        }
-    }
-
-    fn rssi_dbm(&self) -> f64 {
-        self.rssi_sum / self.received as f64
-    }
-}
-
-/// Both ways between two radios: from the first to the second, and back.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Pair {
-    ends: [usize; 2],
-    ways: [Way; 2],
-}
-
-impl Pair {
-    fn ratio(&self) -> f64 {
-        0.5 * (self.ways[0].ratio() + self.ways[1].ratio())
-    }
-
-    /// Mean over both ways of what was received.
-    fn rssi_dbm(&self) -> f64 {
-        let received = self.ways[0].received + self.ways[1].received;
-        (self.ways[0].rssi_sum + self.ways[1].rssi_sum) / received as f64
-    }
+/// One map.
+struct Map {
+    name: String,
+    net: Net,
+    /// How many links there are in all, and how many of each radio are drawn, if not all.
+    all: usize,
+    best: Option<usize>,
+    ground: Option<Ground>,
 }
 
 /// The map.
-pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Failure> {
+pub(super) fn links(sources: &Sources, options: &LinkOptions) -> Result<Sheet, Failure> {
     let least = options.least;
     if !(0.0..=1.0).contains(&least) {
         return Err(Failure::input(format!(
@@ -81,248 +50,196 @@ pub(super) fn links(source: &Source, options: &LinkOptions) -> Result<Sheet, Fai
              pixels"
         )));
     }
-    let periods = source.links()?;
-    let (radios, pairs) = pairs(&periods);
-    let places = places(source, options.time.as_deref(), &radios)?;
-    let heard = |pair: &Pair| {
-        pair.ways
-            .iter()
-            .any(|way| way.received > 0 && way.ratio() >= least)
+    let groups = map_groups(sources, options.by.as_deref())?;
+    let maps = groups.iter().map(|group| Map::of(group, options));
+    let maps: Vec<Map> = maps.collect::<Result<_, _>>()?;
+    let times = || maps.iter().map(|map| map.net.times_ns);
+    let first = times().map(|times| times[0]).min().unwrap_or(0);
+    let last = times().map(|times| times[1]).max().unwrap_or(0);
+    let mut what = match maps.as_slice() {
+        [map] => map.said(),
+        maps => format!("{} maps", maps.len()),
     };
-    let pairs: Vec<Pair> = pairs.into_iter().filter(heard).collect();
-    let all = pairs.len();
-    let (pairs, best) = strongest(pairs, radios.len(), options.per_radio.map(|n| n as usize));
-
-    let what = match best {
-        Some(best) => format!(
-            "{} radios, {} of each ({} of {})",
-            radios.len(),
-            match best {
-                1 => "the best link".to_owned(),
-                best => format!("the {best} best links"),
-            },
-            pairs.len(),
-            grouped(&all.to_string())
-        ),
-        None => format!(
-            "{} radios, {} links",
-            radios.len(),
-            grouped(&all.to_string())
-        ),
-    };
-    let last = periods.last().map_or(0, |l| l.time_ns);
-    let first = periods.first().map_or(0, |l| {
-        l.time_ns.saturating_sub((l.period_s * 1e9).round() as u64)
-    });
+    let several = groups.iter().any(|group| group.runs.len() > 1);
+    if several {
+        what += ", mean over runs";
+    }
     let title = options.plot.title("Links");
-    let mut sheet = Sheet::titled(width, height, title, &source.caption(first, last, &what));
-    let ground = source.stage()?.map(|stage| Ground::of(&stage, &[]));
-    draw(&mut sheet, &radios, &places, pairs, least, ground.as_ref());
+    let mut sheet = Sheet::titled(width, height, title, &sources.caption(first, last, &what));
+    draw(&mut sheet, &maps, least, several);
     Ok(sheet)
 }
 
-/// All radios of the recording's links, and the sums over all periods of each two.
-fn pairs(periods: &[Links]) -> (Vec<String>, Vec<Pair>) {
-    let mut radios: Vec<String> = Vec::new();
-    let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
-    let mut pairs: BTreeMap<[usize; 2], [Way; 2]> = BTreeMap::new();
-    for links in periods {
-        let known: Vec<usize> = (links.radios.iter())
-            .map(|radio| {
-                *numbers.entry(radio.clone()).or_insert_with(|| {
-                    radios.push(radio.clone());
-                    radios.len() - 1
-                })
-            })
-            .collect();
-        for link in &links.links {
-            let [from, to] = [link.from, link.to].map(|place| known[place as usize]);
-            let back = usize::from(from > to);
-            let way = &mut pairs.entry([from.min(to), from.max(to)]).or_default()[back];
-            way.sent += u64::from(link.sent);
-            way.received += u64::from(link.received);
-            if link.received > 0 {
-                way.rssi_sum += f64::from(link.rssi_dbm) * f64::from(link.received);
-            }
-        }
-    }
-    let pairs = pairs.into_iter().map(|(ends, ways)| Pair { ends, ways });
-    (radios, pairs.collect())
-}
-
-/// Of each radio the `wanted` best links, by delivery, then by RSSI; if nothing is wanted, all, or as many
-/// as are not too many. Tells how many of each, if not all.
-fn strongest(
-    mut pairs: Vec<Pair>,
-    radios: usize,
-    wanted: Option<usize>,
-) -> (Vec<Pair>, Option<usize>) {
-    let most = (LINES_EACH * radios).min(LINES_MAX);
-    if wanted.is_none() && pairs.len() <= most {
-        return (pairs, None);
-    }
-    let key = |pair: &Pair| (pair.ratio(), pair.rssi_dbm());
-    pairs.sort_by(|a, b| {
-        let ((a, a_dbm), (b, b_dbm)) = (key(a), key(b));
-        b.total_cmp(&a).then(b_dbm.total_cmp(&a_dbm))
-    });
-    // The rank of a pair among those of its ends: the better of the two.
-    let mut seen = vec![0_usize; radios];
-    let ranks: Vec<usize> = (pairs.iter())
-        .map(|pair| {
-            let rank = pair.ends.map(|end| seen[end]);
-            pair.ends.iter().for_each(|end| seen[*end] += 1);
-            rank[0].min(rank[1])
+impl Map {
+    fn of(group: &Group, options: &LinkOptions) -> Result<Self, Failure> {
+        let mut net = Net::read(&group.runs, options.time.as_deref())?;
+        net.pairs
+            .retain(|pair| pair.ways.iter().any(|way| is_drawn(way, options.least)));
+        let all = net.pairs.len();
+        let wanted = options.per_radio.map(|n| n as usize);
+        let (pairs, best) = strongest(std::mem::take(&mut net.pairs), net.radios.len(), wanted);
+        net.pairs = pairs;
+        let (stage, _) = Source::common_stage(&group.runs)?;
+        Ok(Self {
+            name: group.name.clone(),
+            net,
+            all,
+            best,
+            ground: stage.map(|stage| Ground::of(&stage, &[])),
         })
-        .collect();
-    let count = |best: usize| ranks.iter().filter(|rank| **rank < best).count();
-    let best = wanted.unwrap_or_else(|| {
-        let few = (2..radios.max(3)).take_while(|best| count(*best) <= most);
-        few.last().unwrap_or(1)
-    });
-    let kept = pairs
-        .into_iter()
-        .zip(&ranks)
-        .filter(|(_, rank)| **rank < best);
-    (kept.map(|(pair, _)| pair).collect(), Some(best))
-}
+    }
 
-/// Where each radio is, east and north, m: in the mean, or at a time.
-fn places(
-    source: &Source,
-    time: Option<&str>,
-    radios: &[String],
-) -> Result<Vec<[f64; 2]>, Failure> {
-    let owner = |radio: &String| {
-        radio
-            .rsplit_once('/')
-            .map_or(radio.clone(), |(owner, _)| owner.to_owned())
-    };
-    let vehicles = source.recording.vehicles();
-    let bodies: Vec<Option<usize>> = (radios.iter().map(owner))
-        .map(|owner| vehicles.iter().position(|vehicle| vehicle.path == owner))
-        .collect();
-    let times = match time {
-        None => source.times_ns.clone(),
-        Some(text) => {
-            let time = SimTime::from_time(input::span("--time", text)?)
-                .map_err(|error| Failure::input(format!("--time: {error}")))?;
-            0..=time.nanos()
-        }
-    };
-    let mut sums = vec![[0.0; 3]; radios.len()];
-    for tick in source.recording.ticks_in(times) {
-        let tick = tick.map_err(Failure::run)?;
-        for (sum, body) in sums.iter_mut().zip(&bodies) {
-            let Some(body) = *body else { continue };
-            let [x, y, _] = tick.samples[body].position_m;
-            if time.is_some() {
-                *sum = [x, y, 1.0];
-            } else {
-                *sum = [sum[0] + x, sum[1] + y, sum[2] + 1.0];
+    /// How many links it shows.
+    fn counted(&self) -> String {
+        match (self.net.pairs.len(), self.all) {
+            (drawn, all) if drawn < all => {
+                format!("{drawn} of {} links", grouped(&all.to_string()))
             }
+            (_, all) => format!("{} links", grouped(&all.to_string())),
         }
     }
-    if sums.iter().any(|sum| sum[2] == 0.0) {
-        // Radios without a body, or no tick at these times: where they sent from.
-        let numbers: BTreeMap<&str, usize> = radios.iter().map(String::as_str).zip(0..).collect();
-        let without: Vec<bool> = sums.iter().map(|sum| sum[2] == 0.0).collect();
-        for packet in source.recording.packets_in(source.times_ns.clone()) {
-            let packet = packet.map_err(Failure::run)?;
-            if let Some(&at) = numbers.get(packet.radio.as_str())
-                && without[at]
-            {
-                let [x, y, _] = packet.position_m;
-                let sum = &mut sums[at];
-                *sum = [sum[0] + x, sum[1] + y, sum[2] + 1.0];
+
+    /// How many radios and links it shows.
+    fn said(&self) -> String {
+        let (radios, all) = (self.net.radios.len(), grouped(&self.all.to_string()));
+        match self.best {
+            Some(1) => {
+                let drawn = self.net.pairs.len();
+                format!("{radios} radios, the best link of each ({drawn} of {all})")
             }
+            Some(best) => {
+                let drawn = self.net.pairs.len();
+                format!("{radios} radios, the {best} best links of each ({drawn} of {all})")
+            }
+            None => format!("{radios} radios, {all} links"),
         }
-    }
-    match sums.iter().position(|sum| sum[2] == 0.0) {
-        Some(nowhere) => Err(Failure::input(format!(
-            "{}: it is not recorded where {} is at these times: choose a longer time, or a shorter \
-             `period` of the recorder",
-            source.recording.path().display(),
-            radios[nowhere]
-        ))),
-        None => Ok(sums.iter().map(|[x, y, n]| [x / n, y / n]).collect()),
     }
 }
 
-fn draw(
-    sheet: &mut Sheet,
-    radios: &[String],
-    places: &[[f64; 2]],
-    mut pairs: Vec<Pair>,
-    least: f64,
-    ground: Option<&Ground>,
-) {
-    let panel = map(sheet, bounds(places));
-    panel.draw(sheet, true);
-    if let Some(ground) = ground {
-        ground.outlines(sheet, &panel);
+fn is_drawn(way: &Way, least: f64) -> bool {
+    way.heard && way.ratio >= least
+}
+
+/// What the widths of lines say.
+#[derive(Clone, Copy)]
+struct Levels {
+    low: f64,
+    high: f64,
+    step: f64,
+}
+
+impl Levels {
+    fn of(maps: &[Map]) -> Option<Self> {
+        let pairs = maps.iter().flat_map(|map| &map.net.pairs);
+        let heard = pairs.flat_map(|pair| pair.ways).filter(|way| way.heard);
+        let ends = heard.map(|way| [way.rssi_dbm; 2]);
+        let [low, high] = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        let step = nice(((high - low) / 4.0).max(1.0));
+        Some(Self {
+            low: (low / step).floor() * step,
+            high: (high / step).ceil() * step,
+            step,
+        })
     }
-    let levels = || {
-        pairs
-            .iter()
-            .flat_map(|pair| pair.ways)
-            .filter(|way| way.received > 0)
-    };
-    let low = levels()
-        .map(|way| way.rssi_dbm())
-        .fold(f64::INFINITY, f64::min);
-    let high = levels()
-        .map(|way| way.rssi_dbm())
-        .fold(f64::NEG_INFINITY, f64::max);
-    let step = nice(((high - low) / 4.0).max(1.0));
-    let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
-    let thickness = |dbm: f64| 1.0 + 4.5 * ((dbm - low) / (high - low).max(step)).clamp(0.0, 1.0);
+
+    fn width(self, dbm: f64) -> f64 {
+        1.0 + 4.5 * ((dbm - self.low) / (self.high - self.low).max(self.step)).clamp(0.0, 1.0)
+    }
+}
+
+fn draw(sheet: &mut Sheet, all: &[Map], least: f64, several: bool) {
+    let places = all.iter().flat_map(|map| &map.net.places_m).copied();
+    let panels = maps(sheet, bounds(&places.collect::<Vec<_>>()), all.len());
+    let levels = Levels::of(all);
+    for (at, map) in all.iter().enumerate() {
+        let panel = &panels[at];
+        axes(sheet, &panels, at);
+        if let Some(ground) = &map.ground {
+            ground.outlines(sheet, panel);
+        }
+        let dots: Vec<[f64; 2]> = (map.net.places_m.iter())
+            .map(|[x, y]| panel.place(*x, *y))
+            .collect();
+        if let Some(levels) = levels {
+            lines(sheet, &map.net.pairs, &dots, least, levels);
+        }
+        let radius = match (dots.len() > 100, all.len() > 1) {
+            (false, false) => 5.5,
+            (true, false) => 4.0,
+            _ => 3.2,
+        };
+        for dot in &dots {
+            sheet.disc(*dot, radius, NODE, 1.5);
+        }
+        if several && map.net.pairs.len() <= NUMBERS_MAX {
+            numbers(sheet, &map.net.pairs, &dots, least);
+        }
+        if map.net.radios.len() <= NAMES_MAX / all.len() {
+            names(sheet, panel, &map.net.radios, &dots, &map.net.pairs);
+        }
+        if map.net.pairs.is_empty() {
+            let [left, top, ..] = panel.edges;
+            let at = [left + 14.0, top + 24.0];
+            sheet.words(at, "nobody heard anybody", SMALL, Anchor::Start, FAINT);
+        }
+        if all.len() > 1 {
+            heading(sheet, panel, &format!("{}: {}", map.name, map.counted()));
+        }
+    }
+    if let [panel] = panels.as_slice() {
+        scale_bar(sheet, panel);
+    }
+    let [_, top, ..] = panels[0].edges;
+    let foot = f64::from(sheet.height) - 40.0;
+    let mut column = Column::at(f64::from(sheet.width), top + 12.0, foot);
+    legend(sheet, &mut column, levels, several);
+}
+
+/// Half a line for each way, the best above the others.
+fn lines(sheet: &mut Sheet, pairs: &[Pair], dots: &[[f64; 2]], least: f64, levels: Levels) {
     let alpha = if pairs.len() > 150 { 0.8 } else { 0.95 };
-
+    let mut pairs: Vec<&Pair> = pairs.iter().collect();
     pairs.sort_by(|a, b| {
-        let way = |pair: &Pair| (pair.ratio(), pair.rssi_dbm());
-        let ((a, a_dbm), (b, b_dbm)) = (way(a), way(b));
-        a.total_cmp(&b).then(a_dbm.total_cmp(&b_dbm))
+        let by_level = a.rssi_dbm().total_cmp(&b.rssi_dbm());
+        a.ratio().total_cmp(&b.ratio()).then(by_level)
     });
-    for pair in &pairs {
-        let [a, b] = pair
-            .ends
-            .map(|end| panel.place(places[end][0], places[end][1]));
+    for pair in pairs {
+        let [a, b] = pair.ends.map(|end| dots[end]);
         let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
         for (from, way) in [a, b].into_iter().zip(&pair.ways) {
-            if way.received > 0 && way.ratio() >= least {
-                let ink = ramp(way.ratio()).thin(alpha);
-                sheet.line(vec![from, middle], ink, thickness(way.rssi_dbm()));
-            } else {
-                sheet.line(vec![from, middle], GRID, 1.0);
+            let line = vec![from, middle];
+            if !is_drawn(way, least) {
+                sheet.line(line, GRID, 1.0);
+                continue;
+            }
+            let (ink, width) = (ramp(way.ratio).thin(alpha), levels.width(way.rssi_dbm));
+            match way.half {
+                Some(half) if half > UNSURE => sheet.dashed(line, ink, width, DASH),
+                _ => sheet.line(line, ink, width),
             }
         }
     }
-    let radius = if places.len() > 100 { 4.0 } else { 5.5 };
-    for [x, y] in places {
-        sheet.disc(panel.place(*x, *y), radius, NODE, 1.5);
+}
+
+/// Dash and gap, pixels.
+const DASH: [f64; 2] = [7.0, 5.0];
+
+/// The delivery ratios of few links, each in the half that it is of.
+fn numbers(sheet: &mut Sheet, pairs: &[Pair], dots: &[[f64; 2]], least: f64) {
+    for pair in pairs {
+        let [a, b] = pair.ends.map(|end| dots[end]);
+        for (share, way) in [0.27, 0.73].into_iter().zip(&pair.ways) {
+            let at = [0, 1].map(|k| a[k] + share * (b[k] - a[k]));
+            if !is_drawn(way, least) {
+                continue;
+            }
+            let text = match way.half {
+                Some(half) => format!("{:.2} \u{b1} {half:.2}", way.ratio),
+                None => format!("{:.2}", way.ratio),
+            };
+            sheet.words_apart([at[0], at[1] + 4.0], &text, 12.0, Anchor::Middle);
+        }
     }
-    if radios.len() <= NAMES_MAX {
-        names(sheet, &panel, radios, places, &pairs);
-    }
-    scale_bar(sheet, &panel);
-    if pairs.is_empty() {
-        let [left, top, ..] = panel.edges;
-        sheet.words(
-            [left + 14.0, top + 24.0],
-            "nobody heard anybody",
-            SMALL,
-            Anchor::Start,
-            FAINT,
-        );
-    }
-    legend(
-        sheet,
-        &panel,
-        (low, high, step),
-        thickness,
-        !pairs.is_empty(),
-    );
 }
 
 /// West, south, east, north of all radios, m.
@@ -337,7 +254,7 @@ fn bounds(places: &[[f64; 2]]) -> [f64; 4] {
 }
 
 /// Names of the radios, each where it hides least.
-fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], places: &[[f64; 2]], pairs: &[Pair]) {
+fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], dots: &[[f64; 2]], pairs: &[Pair]) {
     let owner = |radio: &str| {
         radio
             .rsplit_once('/')
@@ -346,7 +263,6 @@ fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], places: &[[f64; 2]
     };
     let owners: Vec<String> = radios.iter().map(|radio| owner(radio)).collect();
     let size = if radios.len() > 30 { 12.0 } else { SMALL };
-    let dots: Vec<[f64; 2]> = places.iter().map(|[x, y]| panel.place(*x, *y)).collect();
     let mut names = Names::around(panel.edges, dots.iter().copied());
     for (at, [x, y]) in dots.iter().enumerate() {
         let alone = owners.iter().filter(|other| **other == owners[at]).count() == 1;
@@ -366,127 +282,31 @@ fn names(sheet: &mut Sheet, panel: &Panel, radios: &[String], places: &[[f64; 2]
     }
 }
 
-fn legend(
-    sheet: &mut Sheet,
-    panel: &Panel,
-    (low, high, step): (f64, f64, f64),
-    thickness: impl Fn(f64) -> f64,
-    any: bool,
-) {
-    let [_, top, right, _] = panel.edges;
-    let left = right + 24.0;
-    let mut y = top + 12.0;
-    let say = |sheet: &mut Sheet, y: f64, text: &str, ink: Ink| {
-        sheet.words([left, y], text, SMALL, Anchor::Start, ink);
-    };
-    say(sheet, y, "delivery ratio", TEXT);
-    y += 14.0;
-    let (wide, tall, parts) = (18.0, 180.0, 60);
-    for part in 0..parts {
-        let share = (f64::from(part) + 0.5) / f64::from(parts);
-        let below = y + tall * (1.0 - f64::from(part) / f64::from(parts));
-        let above = below - tall / f64::from(parts) - 0.4;
-        sheet.rectangle([left, above], [left + wide, below], ramp(share));
-    }
-    for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
-        let at = y + tall * (1.0 - share);
-        sheet.line(vec![[left + wide, at], [left + wide + 5.0, at]], TEXT, 1.0);
-        let text = format!("{share:.2}");
-        sheet.words(
-            [left + wide + 10.0, at + 5.0],
-            text,
-            SMALL,
-            Anchor::Start,
-            TEXT,
-        );
-    }
-    y += tall + 40.0;
-    if any {
-        say(sheet, y, "RSSI, dBm", TEXT);
-        let mut level = high;
-        while level >= low - 0.5 * step {
-            y += 22.0;
-            let at = y - 5.0;
-            sheet.line(
-                vec![[left, at], [left + 46.0, at]],
-                ramp(0.85),
-                thickness(level),
-            );
-            sheet.words(
-                [left + 56.0, y],
-                number(level, step),
-                SMALL,
-                Anchor::Start,
-                TEXT,
-            );
-            level -= step;
+fn legend(sheet: &mut Sheet, column: &mut Column, levels: Option<Levels>, several: bool) {
+    column.colours(sheet, "delivery ratio", [0.0, 1.0], ramp);
+    if let Some(levels) = levels {
+        column.say(sheet, "RSSI, dBm", super::sheet::TEXT);
+        let mut level = levels.high;
+        while level >= levels.low - 0.5 * levels.step {
+            let text = number(level, levels.step);
+            column.line(sheet, ramp(0.85), levels.width(level), &text);
+            level -= levels.step;
         }
-        y += 40.0;
+        column.gap();
     }
-    for line in [
+    if several {
+        column.dashes(sheet, ramp(0.85), &format!("\u{b1} more than {UNSURE}"));
+        column.note(sheet, &["with 95 % confidence"]);
+        column.gap();
+    }
+    let how = [
         "Each half of a line is",
         "of the frames from its",
         "end, as the other end",
         "receives them; grey:",
         "none of them.",
-    ] {
-        say(sheet, y, line, FAINT);
-        y += 19.0;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use simbeeotic_record::Link;
-
-    fn period(links: &[(u32, u32, u32, u32, f32)]) -> Links {
-        let link = |&(from, to, sent, received, rssi_dbm): &(u32, u32, u32, u32, f32)| Link {
-            from,
-            to,
-            sent,
-            received,
-            rssi_dbm,
-            distance_m: 1.0,
-        };
-        Links {
-            radios: ["a", "b", "c"].map(|name| format!("{name}/radio")).to_vec(),
-            links: links.iter().map(link).collect(),
-            ..Links::default()
-        }
-    }
-
-    #[test]
-    fn both_ways_of_a_pair_are_summed_apart() {
-        let (radios, pairs) = pairs(&[
-            period(&[(0, 1, 10, 5, -60.0), (1, 0, 10, 0, f32::NAN)]),
-            period(&[(0, 1, 10, 10, -66.0), (2, 0, 4, 4, -50.0)]),
-        ]);
-        assert_eq!(radios, ["a/radio", "b/radio", "c/radio"]);
-        assert_eq!(pairs.len(), 2);
-        let [there, back] = pairs[0].ways;
-        assert_eq!((there.sent, there.received), (20, 15));
-        assert_eq!(there.rssi_dbm(), -64.0, "weighted by frames");
-        assert_eq!((back.sent, back.received, back.ratio()), (10, 0, 0.0));
-        assert_eq!(pairs[1].ends, [0, 2]);
-        assert_eq!(
-            pairs[1].ways[1].ratio(),
-            1.0,
-            "from the second to the first"
-        );
-    }
-
-    #[test]
-    fn of_too_many_links_the_best_of_each_radio_stay() {
-        // Three radios in a row: the long way is the worst of both of its ends.
-        let (_, three) = pairs(&[period(&[
-            (0, 1, 10, 10, -60.0),
-            (1, 2, 10, 10, -61.0),
-            (0, 2, 10, 10, -70.0),
-        ])]);
-        let (kept, best) = strongest(three.clone(), 3, Some(1));
-        assert_eq!((kept.len(), best), (2, Some(1)));
-        assert!(kept.iter().all(|pair| pair.ends != [0, 2]));
-        assert_eq!(strongest(three, 3, None).0.len(), 3);
+    ];
+    if column.room() >= how.len() {
+        column.note(sheet, &how);
     }
 }

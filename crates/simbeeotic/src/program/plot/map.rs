@@ -2,7 +2,7 @@
 //! keep out of each other's way, and the columns at the right.
 
 use super::axes::{Axis, Panel, nice, number};
-use super::sheet::{Anchor, FAINT, HEAD, Ink, SMALL, Sheet, TEXT};
+use super::sheet::{Anchor, FAINT, HEAD, Ink, NORMAL, SMALL, Sheet, TEXT};
 use simbeeotic_view::render::words;
 
 /// The width of the column at the right.
@@ -10,12 +10,73 @@ pub(super) const LEGEND: f64 = 196.0;
 /// How much wider a map is than what is on it.
 const MARGIN: f64 = 1.12;
 
+/// More maps beside each other are too small to be read.
+pub(super) const MAPS_MAX: usize = 16;
+/// Between two maps, and above each of several for its name, pixels.
+const GAP: f64 = 16.0;
+const NAME: f64 = 24.0;
+
 /// A panel of one scale in both directions that shows all between the bounds: west, south, east, north, m.
 pub(super) fn map(sheet: &Sheet, bounds: [f64; 4]) -> Panel {
+    panel(room(sheet), bounds)
+}
+
+/// Several of them of one scale and with the same bounds, row by row, in as many columns as make them largest.
+pub(super) fn maps(sheet: &Sheet, bounds: [f64; 4], count: usize) -> Vec<Panel> {
+    if count < 2 {
+        return vec![map(sheet, bounds)];
+    }
+    let [left, top, right, bottom] = room(sheet);
+    let size = |columns: usize| {
+        let rows = count.div_ceil(columns);
+        let along = |long: f64, parts: usize| (long + GAP) / parts as f64 - GAP;
+        [
+            along(right - left, columns),
+            along(bottom - top, rows) - NAME,
+        ]
+    };
+    let scale = |columns: usize| {
+        let [wide, tall] = size(columns);
+        let [west, south, east, north] = bounds;
+        (wide / (east - west).max(1e-9)).min(tall / (north - south).max(1e-9))
+    };
+    let best = (1..=count).max_by(|a, b| scale(*a).total_cmp(&scale(*b)));
+    let columns = best.unwrap_or(1);
+    let [wide, tall] = size(columns);
+    (0..count)
+        .map(|at| {
+            let left = left + (at % columns) as f64 * (wide + GAP);
+            let top = top + (at / columns) as f64 * (tall + NAME + GAP) + NAME;
+            panel([left, top, left + wide, top + tall], bounds)
+        })
+        .collect()
+}
+
+/// Draws the axes of one of several maps, with numbers and names where no other map is below it or left of it.
+pub(super) fn axes(sheet: &mut Sheet, panels: &[Panel], at: usize) {
+    let mine = panels[at].edges;
+    let below = |other: &Panel| other.edges[1] > mine[3] && other.edges[0] == mine[0];
+    let lowest = !panels.iter().any(below);
+    let leftmost = panels.iter().all(|other| other.edges[0] >= mine[0]);
+    panels[at].draw_with(sheet, [leftmost, lowest]);
+}
+
+/// The name of one of several maps, above it.
+pub(super) fn heading(sheet: &mut Sheet, panel: &Panel, name: &str) {
+    let [left, top, right, _] = panel.edges;
+    let size = (NORMAL * (right - left) / words::width(name, NORMAL).max(1.0)).clamp(9.0, SMALL);
+    sheet.words([left, top - 7.0], name, size, Anchor::Start, TEXT);
+}
+
+/// Where maps go: left, top, right, bottom.
+fn room(sheet: &Sheet) -> [f64; 4] {
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
-    let edges = [96.0, HEAD + 8.0, width - LEGEND - 20.0, height - 62.0];
+    [96.0, HEAD + 8.0, width - LEGEND - 20.0, height - 62.0]
+}
+
+/// A panel in edges, with one scale in both directions, that shows all between the bounds.
+fn panel(edges: [f64; 4], [west, south, east, north]: [f64; 4]) -> Panel {
     let (wide, tall) = (edges[2] - edges[0], edges[3] - edges[1]);
-    let [west, south, east, north] = bounds;
     let metre = (MARGIN * (east - west) / wide).max(MARGIN * (north - south) / tall);
     let metre = if metre > 0.0 && metre.is_finite() {
         metre
@@ -25,7 +86,12 @@ pub(super) fn map(sheet: &Sheet, bounds: [f64; 4]) -> Panel {
     let axis = |label: &str, low: f64, high: f64, pixels: f64| {
         let (middle, half) = (0.5 * (low + high), 0.5 * pixels * metre);
         let middle = if middle.is_finite() { middle } else { 0.0 };
-        Axis::exact(label, middle - half, middle + half, pixels / 90.0)
+        Axis::exact(
+            label,
+            middle - half,
+            middle + half,
+            (pixels / 90.0).max(2.5),
+        )
     };
     let mut panel = Panel {
         edges,
@@ -229,7 +295,7 @@ impl Column {
         self.say(sheet, label, TEXT);
         self.y -= 6.0;
         let (left, y) = (self.left, self.y);
-        let (wide, tall) = (18.0, 180.0_f64.min(self.bottom - self.y));
+        let (wide, tall) = (18.0, 180.0_f64.min(self.bottom - self.y).max(40.0));
         let parts = 60_u32;
         let share = |part: u32| (f64::from(part) + 0.5) / f64::from(parts);
         let inks = (0..parts).rev().map(|part| ink(share(part))).collect();
@@ -249,5 +315,41 @@ impl Column {
         for line in lines {
             self.say(sheet, line, FAINT);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn maps_of_one_picture_have_one_scale_and_keep_apart() {
+        let sheet = Sheet::titled(1000, 700, "", "");
+        for (bounds, count) in [
+            ([0.0, 0.0, 10.0, 10.0], 2),
+            ([0.0, 0.0, 100.0, 1.0], 3),
+            ([0.0, 0.0, 1.0, 100.0], 5),
+            ([0.0, 0.0, 0.0, 0.0], 4),
+        ] {
+            let panels = maps(&sheet, bounds, count);
+            assert_eq!(panels.len(), count);
+            for (at, panel) in panels.iter().enumerate() {
+                let scale = pixels_each_m(panel);
+                assert!((scale - pixels_each_m(&panels[0])).abs() < 1e-9 * scale);
+                let [left, top, right, bottom] = panel.edges;
+                assert!(right - left > 40.0 && bottom - top > 40.0, "{panel:?}");
+                for other in &panels[..at] {
+                    assert!(
+                        overlap(panel.edges, other.edges) == 0.0,
+                        "{panel:?} {other:?}"
+                    );
+                }
+            }
+        }
+        let wide = maps(&sheet, [0.0, 0.0, 100.0, 1.0], 3);
+        assert!(
+            wide.iter().all(|panel| panel.edges[0] == wide[0].edges[0]),
+            "one above the other"
+        );
     }
 }

@@ -10,18 +10,22 @@
 mod arguments;
 pub(super) mod axes;
 pub(super) mod band;
+mod cells;
 pub(super) mod chart;
 mod coverage;
 mod delivery;
 mod faces;
 mod flights;
+mod grid;
 mod ground;
 mod histogram;
+mod limits;
 mod lines;
 mod links;
 mod losses;
 mod map;
 mod names;
+mod net;
 mod over;
 pub(super) mod palette;
 mod png;
@@ -34,6 +38,7 @@ mod source;
 mod stats;
 mod svg;
 mod sweep;
+mod tables;
 mod traces;
 
 pub(super) use arguments::{BandKind, PLOT_EXAMPLES, Plot};
@@ -96,11 +101,11 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
     let format = Format::of(&options.output)?;
     let sources = Sources::open(options)?;
     let sheet = match what {
-        Plot::Traces(options) => traces::traces(sources.one("a map of flights")?, options),
+        Plot::Traces(options) => traces::traces(&sources, options),
         Plot::Series(options) => series::series_plot(&sources, options),
         Plot::Histogram(options) => histogram::histogram(&sources, options),
         Plot::Coverage(options) => coverage::coverage(&sources, options),
-        Plot::Links(options) => links::links(sources.one("a map of links")?, options),
+        Plot::Links(options) => links::links(&sources, options),
         Plot::Delivery(options) => delivery::delivery(&sources, options),
         Plot::Rssi(options) => delivery::rssi(&sources, options),
         Plot::Losses(options) => losses::losses(&sources, options),

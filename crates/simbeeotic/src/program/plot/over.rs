@@ -1,10 +1,11 @@
 //! `plot sweep`: what runs come to over what was varied, from a table of runs.
 
 use super::super::Failure;
-use super::arguments::{BandKind, SweepPlotOptions};
+use super::arguments::SweepPlotOptions;
 use super::axes::{Axis, Panel};
-use super::band::{band, mean};
+use super::band::{half_width, mean, units};
 use super::chart::{Curve, Marker, curve_band, curve_line, curve_mark, curve_spread};
+use super::limits::Limits;
 use super::palette::series;
 use super::runs::{Column, Runs, Values};
 use super::series::value_axis;
@@ -14,10 +15,19 @@ use simbeeotic_view::render::words;
 
 /// As many colours are told apart.
 const COLOURS: usize = 7;
-const MARKERS: [Marker; 3] = [Marker::Disc, Marker::Square, Marker::Diamond];
+/// Forms, so that curves are told apart in print without colours, too.
+const MARKERS: [Marker; COLOURS] = [
+    Marker::Disc,
+    Marker::Square,
+    Marker::Diamond,
+    Marker::Up,
+    Marker::Down,
+    Marker::Plus,
+    Marker::Cross,
+];
 /// So much of the room of a category has bars in it.
 const FILLED: f64 = 0.7;
-/// Most values of `--x` that are categories.
+/// Most values of `--x` that are categories: more are no picture, but a table.
 const CATEGORIES: usize = 40;
 
 /// One curve: a metric, of the runs of one value of `--by`.
@@ -40,40 +50,36 @@ struct Numbers {
 
 impl Numbers {
     fn of(runs: &[(&str, f64)]) -> Self {
-        let mut seeds: Vec<(&str, Vec<f64>)> = Vec::new();
-        for (seed, number) in runs {
-            match seeds.iter_mut().find(|(other, _)| other == seed) {
-                Some((_, numbers)) => numbers.push(*number),
-                None => seeds.push((seed, vec![*number])),
-            }
+        Self {
+            runs: runs.iter().map(|(_, number)| *number).collect(),
+            units: units(runs),
         }
-        let runs: Vec<f64> = runs.iter().map(|(_, number)| *number).collect();
-        let units = match seeds.len() {
-            1 => runs.clone(),
-            _ => seeds
-                .iter()
-                .filter_map(|(_, numbers)| mean(numbers))
-                .collect(),
-        };
-        Self { runs, units }
+    }
+
+    /// The mean and the ends of its 95 % interval, as far as there can be such numbers; of one number that number.
+    fn estimate(&self, limits: Limits) -> (f64, [f64; 2], [bool; 2]) {
+        let middle = mean(&self.units).unwrap_or(f64::NAN);
+        let half = half_width(&self.units).unwrap_or(0.0);
+        let ends = [middle - half, middle + half];
+        let (kept, _) = limits.cut(ends);
+        (middle, kept, [kept[0] != ends[0], kept[1] != ends[1]])
     }
 }
 
 /// Metrics of one unit.
 struct Part {
     label: String,
+    /// What its numbers can be.
+    limits: Limits,
     lines: Vec<Line>,
 }
 
 impl Part {
-    /// What its numbers are never below: counts, times and shares know no less than zero.
-    fn least(&self) -> f64 {
+    fn numbers(&self) -> impl Iterator<Item = &Numbers> {
         let points = self.lines.iter().flat_map(|line| &line.points);
-        let mut runs = points.flat_map(|(_, numbers)| &numbers.runs);
-        match runs.all(|run| *run >= 0.0) {
-            true => 0.0,
-            false => f64::NEG_INFINITY,
-        }
+        points
+            .map(|(_, numbers)| numbers)
+            .filter(|numbers| !numbers.runs.is_empty())
     }
 }
 
@@ -117,10 +123,7 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
     let mut parts: Vec<Part> = Vec::new();
     for metric in &metrics {
         let lines = groups.iter().enumerate().map(|(at, group)| {
-            let rows = runs.good().filter(|row| match &by {
-                Some(column) => row[column.place] == *group,
-                None => true,
-            });
+            let rows = rows_of(&runs, by.as_ref(), group);
             let name = match (&by, metrics.len()) {
                 (Some(column), 1) => format!("{} = {group}", short(&column.name)),
                 (Some(column), _) => {
@@ -132,24 +135,26 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
         });
         let lines: Vec<_> = lines.collect();
         let unit = metric.unit();
-        let part = parts.iter_mut().find(|part| part.label == unit);
-        let part = match part {
-            Some(part) => part,
-            None => {
-                parts.push(Part {
-                    label: unit.to_owned(),
-                    lines: Vec::new(),
-                });
-                let last = parts.len() - 1;
-                &mut parts[last]
-            }
-        };
+        let all =
+            (lines.iter()).flat_map(|(.., points)| points.iter().flat_map(|(_, n)| n.runs.iter()));
+        let limits = Limits::of(metric.base(), unit, all.copied());
+        let place = parts.iter().position(|part| part.label == unit);
+        let place = place.unwrap_or_else(|| {
+            parts.push(Part {
+                label: unit.to_owned(),
+                limits,
+                lines: Vec::new(),
+            });
+            parts.len() - 1
+        });
+        let part = &mut parts[place];
+        part.limits = part.limits.or(limits);
         let before = part.lines.len() / groups.len();
         part.lines
             .extend(lines.into_iter().map(|(at, name, points)| Line {
                 name,
                 colour: if by.is_some() { at } else { before },
-                marker: before,
+                marker: if metrics.len() > 1 { before } else { at },
                 points,
             }));
     }
@@ -164,7 +169,7 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
             ([one], unit) => format!("{}, {unit}", one.base()),
             (_, unit) => unit.to_owned(),
         };
-        if part.lines.iter().all(|line| line.points.is_empty()) {
+        if part.numbers().next().is_none() {
             return Err(Failure::input(format!(
                 "{}: no run has a number for `{}`",
                 options.table.display(),
@@ -172,7 +177,35 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
             )));
         }
     }
-    Ok(draw(options, &runs, &x, &by, &values, &parts))
+    // A curve without a point needs no place in the key.
+    for part in &mut parts {
+        let has_any = |line: &Line| line.points.iter().any(|(_, n)| !n.runs.is_empty());
+        part.lines.retain(has_any);
+    }
+    let missing = metrics.iter().flat_map(|metric| {
+        let empty = |row: &&Vec<String>| number(row, metric).is_none();
+        runs.good().filter(empty)
+    });
+    let missing = missing.count();
+    let caption = caption(&runs, &x, &by, &parts, missing);
+    Ok(draw(options, &caption, &x, &values, &parts))
+}
+
+/// The runs of one value of `--by`.
+fn rows_of<'r>(
+    runs: &'r Runs,
+    by: Option<&Column>,
+    group: &str,
+) -> impl Iterator<Item = &'r Vec<String>> {
+    let place = by.map(|column| column.place);
+    runs.good()
+        .filter(move |row| place.is_none_or(|place| row[place] == group))
+}
+
+/// What a run came to, if it came to anything.
+fn number(row: &[String], metric: &Column) -> Option<f64> {
+    let number = row[metric.place].parse::<f64>().ok();
+    number.filter(|number| number.is_finite())
 }
 
 /// What the runs at each place of the x axis came to.
@@ -185,15 +218,14 @@ fn points<'a>(
 ) -> Vec<(f64, Numbers)> {
     let mut points: Vec<(f64, Vec<(&str, f64)>)> = Vec::new();
     for row in rows {
-        let place = values.place(&row[x.place]);
-        let number = row[metric.place].parse::<f64>().ok();
-        let (Some(place), Some(number)) = (place, number.filter(|n| n.is_finite())) else {
+        let Some(place) = values.place(&row[x.place]) else {
             continue;
         };
-        let run = (runs.seed(row), number);
+        // A place where no run has a number stays, without any: the line breaks there.
+        let run = number(row, metric).map(|number| (runs.seed(row), number));
         match points.iter_mut().find(|(other, _)| *other == place) {
-            Some((_, numbers)) => numbers.push(run),
-            None => points.push((place, vec![run])),
+            Some((_, numbers)) => numbers.extend(run),
+            None => points.push((place, run.into_iter().collect())),
         }
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -210,7 +242,11 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
                 "" => short(&x.name).to_owned(),
                 unit => format!("{}, {unit}", short(&x.name)),
             };
-            let margin = 0.03 * (high - low);
+            let margin = match high > low {
+                true => 0.03 * (high - low),
+                // One value: in the middle.
+                false => 0.1 * low.abs().max(1.0),
+            };
             Axis::exact(label, low - margin, high + margin, 10.0)
         }
         Values::Words(names) => Axis::named(short(&x.name), names.clone()),
@@ -218,9 +254,8 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
 }
 
 fn y_axis(part: &Part, bars: bool) -> Axis {
-    let all = || part.lines.iter().flat_map(|line| &line.points);
-    let ends = all().flat_map(|(_, numbers)| {
-        let [_, ends] = estimate(&numbers.units, part.least());
+    let ends = part.numbers().flat_map(|numbers| {
+        let (_, ends, _) = numbers.estimate(part.limits);
         numbers.runs.iter().copied().chain(ends).collect::<Vec<_>>()
     });
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -230,22 +265,13 @@ fn y_axis(part: &Part, bars: bool) -> Axis {
     if bars {
         (low, high) = (low.min(0.0), high.max(0.0));
     }
-    value_axis(part.label.clone(), low, high, 6.0)
-}
-
-/// The mean and the ends of its 95 % interval, which holds nothing below `least`; of one number that number.
-fn estimate(numbers: &[f64], least: f64) -> [[f64; 2]; 2] {
-    let middle = mean(numbers).unwrap_or(f64::NAN);
-    let ends = band(&mut numbers.to_vec(), BandKind::Confidence);
-    let [low, high] = ends.unwrap_or([middle; 2]);
-    [[middle; 2], [low.max(least), high]]
+    value_axis(part.label.clone(), [low, high], 6.0, part.limits)
 }
 
 fn draw(
     options: &SweepPlotOptions,
-    runs: &Runs,
+    caption: &str,
     x: &Column,
-    by: &Option<Column>,
     values: &Values,
     parts: &[Part],
 ) -> Sheet {
@@ -253,7 +279,7 @@ fn draw(
     let names: Vec<&str> = options.metric.iter().map(String::as_str).collect();
     let title = format!("{} over {}", names.join(", "), short(&x.name));
     let title = options.title.as_deref().unwrap_or(&title);
-    let mut sheet = Sheet::titled(width, height, title, &caption(runs, x, by, parts));
+    let mut sheet = Sheet::titled(width, height, title, caption);
     let keyed = parts.iter().any(|part| part.lines.len() > 1);
     let key_width = parts
         .iter()
@@ -264,7 +290,8 @@ fn draw(
         false => 0.0,
     };
     let (left, right) = (96.0, f64::from(width) - 28.0 - room);
-    let (top, bottom) = (HEAD + 6.0, f64::from(height) - 62.0);
+    let below = x_axis(x, values).turned(right - left).unwrap_or(0.0);
+    let (top, bottom) = (HEAD + 6.0, f64::from(height) - 62.0 - below);
     let gap = 24.0;
     let each = (bottom - top - gap * (parts.len() - 1) as f64) / parts.len() as f64;
     let bars = matches!(values, Values::Words(_));
@@ -284,22 +311,29 @@ fn draw(
     sheet
 }
 
+/// The pieces of a line between places where there is no number.
+fn pieces(line: &Line) -> impl Iterator<Item = &[(f64, Numbers)]> {
+    let known = |point: &(f64, Numbers)| !point.1.runs.is_empty();
+    let pieces = line.points.chunk_by(move |a, b| known(a) == known(b));
+    pieces.filter(move |piece| known(&piece[0]))
+}
+
 fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
     let count = part.lines.len() as f64;
-    let curves: Vec<(Curve, &Line)> = (part.lines.iter().enumerate())
-        .map(|(at, line)| {
-            // Beside each other where there are bars.
-            let shift = if bars {
-                FILLED * ((at as f64 + 0.5) / count - 0.5)
-            } else {
-                0.0
-            };
-            let estimates = line
-                .points
+    let mut curves: Vec<(Curve, &[(f64, Numbers)])> = Vec::new();
+    for (at, line) in part.lines.iter().enumerate() {
+        // Beside each other where there are bars.
+        let shift = if bars {
+            FILLED * ((at as f64 + 0.5) / count - 0.5)
+        } else {
+            0.0
+        };
+        for piece in pieces(line) {
+            let estimates = piece
                 .iter()
-                .map(|(_, numbers)| estimate(&numbers.units, part.least()));
-            let (means, spread): (Vec<_>, Vec<_>) = estimates.map(|[m, ends]| (m[0], ends)).unzip();
-            let places = line.points.iter().map(|(x, _)| x + shift);
+                .map(|(_, numbers)| numbers.estimate(part.limits));
+            let (means, spread): (Vec<_>, Vec<_>) = estimates.map(|(m, ends, _)| (m, ends)).unzip();
+            let places = piece.iter().map(|(x, _)| x + shift);
             let curve = Curve {
                 name: line.name.clone(),
                 ink: series(line.colour),
@@ -308,9 +342,9 @@ fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
                 spread,
                 line: (!bars).then_some(2.2),
             };
-            (curve, line)
-        })
-        .collect();
+            curves.push((curve, piece));
+        }
+    }
     let half = 0.5 * FILLED / count * 0.86;
     for (curve, _) in curves.iter().filter(|_| bars) {
         for [x, y] in &curve.points {
@@ -325,8 +359,8 @@ fn lines(sheet: &mut Sheet, panel: &Panel, part: &Part, bars: bool) {
             _ => curve_spread(sheet, panel, curve),
         }
     }
-    for (curve, line) in &curves {
-        for ([x, _], (_, numbers)) in curve.points.iter().zip(&line.points) {
+    for (curve, piece) in &curves {
+        for ([x, _], (_, numbers)) in curve.points.iter().zip(*piece) {
             for number in numbers.runs.iter().filter(|_| numbers.runs.len() > 1) {
                 sheet.disc(panel.place(*x, *number), 2.4, curve.ink.thin(0.45), 0.0);
             }
@@ -343,26 +377,37 @@ fn key(sheet: &mut Sheet, panel: &Panel, part: &Part) {
         let [x, y] = [right + 14.0, top + 8.0 + 23.0 * at as f64];
         let ink = series(line.colour);
         sheet.line(vec![[x, y], [x + 26.0, y]], ink, 2.2);
-        curve_mark(sheet, MARKERS[line.marker.min(2)], ink, [x + 13.0, y]);
+        curve_mark(
+            sheet,
+            MARKERS[line.marker.min(MARKERS.len() - 1)],
+            ink,
+            [x + 13.0, y],
+        );
         let place = [x + 36.0, y + 5.0];
         sheet.words(place, line.name.as_str(), SMALL, Anchor::Start, TEXT);
     }
 }
 
 /// How many runs there are, and what the band is.
-fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part]) -> String {
-    let points = || {
-        let lines = parts.iter().flat_map(|part| &part.lines);
-        lines.flat_map(|line| &line.points)
+fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part], missing: usize) -> String {
+    let counts = || {
+        parts
+            .iter()
+            .flat_map(Part::numbers)
+            .map(|numbers| numbers.units.len())
     };
-    let counts = || points().map(|(_, numbers)| numbers.units.len());
     let (least, most) = (counts().min().unwrap_or(0), counts().max().unwrap_or(0));
-    let mut text = format!("{} runs", runs.good().count());
+    let good = runs.good().count();
+    let mut text = match good {
+        1 => "1 run".to_owned(),
+        n => format!("{n} runs"),
+    };
     let each = match least == most {
         true => most.to_string(),
         false => format!("{least} to {most}"),
     };
     match most {
+        0 | 1 if good == 1 => {}
         0 | 1 => text.push_str("; one at each place, so nothing is known of their spread"),
         _ => {
             let mut pooled = runs.pooled(x, by.as_ref());
@@ -379,11 +424,33 @@ fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part]) -> Stri
                 (keys, Some(_)) => format!(", averaged over {}", keys.join(", ")),
                 (keys, None) => format!(", over {}", keys.join(", ")),
             };
+            let mut cut = [false; 2];
+            let mut said = String::new();
+            for part in parts {
+                for numbers in part.numbers() {
+                    let (_, _, [low, high]) = numbers.estimate(part.limits);
+                    cut = [cut[0] || low, cut[1] || high];
+                }
+                said = part.limits.said(cut);
+            }
             let band = "mean, and where it is with 95 % confidence";
             text.push_str(&format!(
-                "; {each} {of} at each place{over}: {band}; dots: the runs"
+                "; {each} {of} at each place{over}: {band}{said}; dots: the runs"
             ));
         }
+    }
+    let metrics = parts
+        .iter()
+        .map(|part| part.lines.len())
+        .sum::<usize>()
+        .max(1);
+    match missing {
+        0 => {}
+        1 => text.push_str("; a number is missing and left out"),
+        n if metrics > 1 && n > good => {
+            text.push_str(&format!("; {n} numbers are missing and left out"));
+        }
+        n => text.push_str(&format!("; {n} of them have no number and are left out")),
     }
     if runs.failed() > 0 {
         text.push_str(&format!("; {} failed and are left out", runs.failed()));
@@ -396,37 +463,38 @@ mod tests {
     use super::*;
 
     #[test]
-    fn runs_of_one_seed_count_once_in_an_interval() {
-        let four = Numbers::of(&[("1", 1.0), ("2", 5.0), ("1", 3.0), ("2", 7.0)]);
-        assert_eq!(four.runs, [1.0, 5.0, 3.0, 7.0]);
-        assert_eq!(four.units, [2.0, 6.0]);
-        let one = Numbers::of(&[("1", 1.0), ("1", 3.0)]);
-        assert_eq!(
-            one.units,
-            [1.0, 3.0],
-            "nothing else is known of their chance"
-        );
-        // s = 2.828, t(1) = 12.706, over the root of two.
-        let [[middle, _], [low, high]] = estimate(&four.units, f64::NEG_INFINITY);
-        assert_eq!(middle, 4.0);
-        assert!((high - low - 2.0 * 25.41).abs() < 0.01, "{low} to {high}");
+    fn the_interval_of_what_is_never_below_zero_ends_there_and_it_is_said() {
+        let estimate = |runs: &[(&str, f64)]| {
+            let numbers = Numbers::of(runs);
+            let limits = Limits::of("trips", "", numbers.runs.iter().copied());
+            numbers.estimate(limits)
+        };
+        let (middle, [low, _], [cut, _]) = estimate(&[("1", 0.0), ("2", 0.0), ("3", 1.0)]);
+        assert!(middle > 0.3 && low == 0.0 && cut);
+        let (_, [low, _], [cut, _]) = estimate(&[("1", 0.0), ("2", -0.1), ("3", 1.0)]);
+        assert!(low < -0.5 && !cut);
     }
 
     #[test]
-    fn the_interval_of_what_is_never_below_zero_ends_there() {
-        let part = |runs: &[(&str, f64)]| Part {
-            label: String::new(),
-            lines: vec![Line {
-                name: String::new(),
-                colour: 0,
-                marker: 0,
-                points: vec![(1.0, Numbers::of(runs))],
-            }],
+    fn a_line_breaks_where_no_run_has_a_number() {
+        let of = |numbers: &[f64]| {
+            let runs: Vec<(&str, f64)> = numbers.iter().map(|n| ("1", *n)).collect();
+            Numbers::of(&runs)
         };
-        let trips = part(&[("1", 0.0), ("2", 0.0), ("3", 1.0)]);
-        let climb = part(&[("1", 0.0), ("2", -0.1), ("3", 1.0)]);
-        let low = |part: &Part| estimate(&part.lines[0].points[0].1.units, part.least())[1][0];
-        assert_eq!(low(&trips), 0.0);
-        assert!(low(&climb) < -0.5);
+        let line = Line {
+            name: String::new(),
+            colour: 0,
+            marker: 0,
+            points: vec![
+                (10.0, of(&[1.0])),
+                (20.0, of(&[])),
+                (30.0, of(&[2.0])),
+                (40.0, of(&[3.0])),
+            ],
+        };
+        let places: Vec<Vec<f64>> = pieces(&line)
+            .map(|piece| piece.iter().map(|(place, _)| *place).collect())
+            .collect();
+        assert_eq!(places, [vec![10.0], vec![30.0, 40.0]]);
     }
 }

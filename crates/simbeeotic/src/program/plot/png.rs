@@ -1,6 +1,6 @@
 //! A picture as PNG.
 
-use super::sheet::{Anchor, Ink, Shape, Sheet, WHITE, Words};
+use super::sheet::{Anchor, Canvas, Ink, Sheet, WHITE, Words};
 use simbeeotic_view::render::words;
 use tiny_skia::{
     Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect,
@@ -11,9 +11,7 @@ use tiny_skia::{
 pub(crate) fn png(sheet: &Sheet) -> Option<Vec<u8>> {
     let mut pixels = Pixmap::new(sheet.width, sheet.height)?;
     pixels.fill(Color::WHITE);
-    for shape in &sheet.shapes {
-        draw(&mut pixels, shape);
-    }
+    sheet.draw_on(&mut pixels);
     pixels.encode_png().ok()
 }
 
@@ -27,43 +25,37 @@ pub(super) fn cells(columns: u32, inks: &[Ink]) -> Option<Vec<u8>> {
     pixels.encode_png().ok()
 }
 
-/// Draws one thing, if anything of it is to be seen.
-fn draw(pixels: &mut Pixmap, shape: &Shape) -> Option<()> {
-    match shape {
-        Shape::Line {
-            points,
-            ink,
-            width,
-            dash,
-        } => {
-            let path = path(std::slice::from_ref(points), false)?;
+/// A thing of which nothing is to be seen is not drawn.
+impl Canvas for Pixmap {
+    fn line(&mut self, points: &[[f64; 2]], ink: Ink, width: f64, dash: Option<[f64; 2]>) {
+        if let Some(path) = path(&[points], false) {
             let dash = dash.and_then(|[on, off]| StrokeDash::new(vec![on as f32, off as f32], 0.0));
-            stroke(pixels, &path, *ink, *width, dash, still());
+            stroke(self, &path, ink, width, dash, still());
         }
-        Shape::Area { rings, ink } => {
-            let path = path(rings, true)?;
-            pixels.fill_path(&path, &paint(*ink), FillRule::EvenOdd, still(), None);
+    }
+
+    fn area(&mut self, rings: &[Vec<[f64; 2]>], ink: Ink) {
+        if let Some(path) = path(rings, true) {
+            self.fill_path(&path, &paint(ink), FillRule::EvenOdd, still(), None);
         }
-        Shape::Cells {
-            edges,
-            columns,
-            inks,
-        } => blocks(pixels, *edges, *columns, inks)?,
-        Shape::Disc {
-            centre: [x, y],
-            radius,
-            ink,
-            rim,
-        } => {
-            let disc = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32)?;
-            fill(pixels, &disc, *ink, still());
-            if *rim > 0.0 {
-                stroke(pixels, &disc, WHITE, *rim, None, still());
+    }
+
+    fn cells(&mut self, edges: [f64; 4], columns: u32, inks: &[Ink]) {
+        let _ = blocks(self, edges, columns, inks);
+    }
+
+    fn disc(&mut self, [x, y]: [f64; 2], radius: f64, ink: Ink, rim: f64) {
+        if let Some(disc) = PathBuilder::from_circle(x as f32, y as f32, radius as f32) {
+            fill(self, &disc, ink, still());
+            if rim > 0.0 {
+                stroke(self, &disc, WHITE, rim, None, still());
             }
         }
-        Shape::Words(words) => letters(pixels, words)?,
     }
-    Some(())
+
+    fn words(&mut self, words: &Words) {
+        let _ = letters(self, words);
+    }
 }
 
 fn letters(pixels: &mut Pixmap, words: &Words) -> Option<()> {
@@ -115,9 +107,9 @@ fn still() -> Transform {
 }
 
 /// The outlines as one path, if there is anything to be seen of it. Points that are no numbers are left out.
-fn path(rings: &[Vec<[f64; 2]>], closed: bool) -> Option<Path> {
+fn path(rings: &[impl AsRef<[[f64; 2]]>], closed: bool) -> Option<Path> {
     let mut path = PathBuilder::new();
-    for ring in rings {
+    for ring in rings.iter().map(AsRef::as_ref) {
         for (at, [x, y]) in ring.iter().enumerate() {
             let (x, y) = (*x as f32, *y as f32);
             match at {

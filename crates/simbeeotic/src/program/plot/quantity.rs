@@ -1,7 +1,8 @@
 //! Numbers over time: which ones a recording has, found by what the user calls them.
 
 use super::super::Failure;
-use super::flights::{selected, selection};
+use super::flights::{is_vehicle, selected, selection};
+use super::limits::Limits;
 use super::names::{PACKETS, STATES, means, unknown};
 use super::source::Source;
 use simbeeotic_record::Traffic;
@@ -56,35 +57,22 @@ impl Quantity {
 
     /// Who is not counted, to stand behind what is.
     pub(super) fn without(&self) -> String {
-        match self.left_out.as_slice() {
-            [] => String::new(),
-            few if few.len() <= 3 => format!(", without {}", few.join(", ")),
-            many => format!(", without {} stations", many.len()),
-        }
+        without(&self.left_out)
     }
 
-    /// The ends of what it can be: a mean is not believed to be beyond them.
-    pub(super) fn ends(&self) -> [f64; 2] {
-        let name = self.name.as_str();
-        if name == "delivery in range" || name.ends_with("battery/soc") {
-            return [0.0, 1.0];
-        }
-        let positive = name == "speed"
-            || name.starts_with("distance from ")
-            || name.starts_with("frames ")
-            || self.is_never_below_zero();
-        [
-            if positive { 0.0 } else { f64::NEG_INFINITY },
-            f64::INFINITY,
-        ]
+    /// The ends of what it can be.
+    pub(super) fn limits(&self) -> Limits {
+        let points = self.curves.iter().flat_map(|curve| &curve.points);
+        Limits::of(&self.name, &self.unit, points.map(|[_, value]| *value))
     }
 }
 
-impl Quantity {
-    /// As counts, times and shares are.
-    fn is_never_below_zero(&self) -> bool {
-        let mut points = self.curves.iter().flat_map(|curve| &curve.points);
-        points.all(|[_, value]| *value >= 0.0)
+/// Who is not counted: `, without hive`.
+pub(super) fn without(left_out: &[String]) -> String {
+    match left_out {
+        [] => String::new(),
+        few if few.len() <= 3 => format!(", without {}", few.join(", ")),
+        many => format!(", without {} stations", many.len()),
     }
 }
 
@@ -217,7 +205,7 @@ fn states(source: &Source, name: &str, models: &[String]) -> Result<Quantity, Fa
     };
     let roles = places.iter().map(|at| vehicles[*at].role.as_str());
     let counts: Vec<bool> = (roles.zip(&moved))
-        .map(|(role, moved)| !models.is_empty() || is_counted(role, *moved))
+        .map(|(role, moved)| !models.is_empty() || is_vehicle(role, *moved))
         .collect();
     let mut left_out = Vec::new();
     if counts.contains(&true) {
@@ -242,15 +230,6 @@ fn states(source: &Source, name: &str, models: &[String]) -> Result<Quantity, Fa
 
 /// Who stayed within this distance of the start stood still, m.
 const STILL_M: f64 = 0.05;
-
-/// Whether it is a vehicle. Older recordings do not say what is a station: there it is what never moves.
-fn is_counted(role: &str, moved: bool) -> bool {
-    match role {
-        "station" => false,
-        "" => moved,
-        _ => true,
-    }
-}
 
 fn long(v: [f64; 3]) -> f64 {
     (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
@@ -541,14 +520,6 @@ mod tests {
             [0.5, 2.0, 3.5].map(|t| curve.at(t)),
             [None, Some(10.0), Some(20.0)]
         );
-    }
-
-    #[test]
-    fn stations_are_no_vehicles_and_in_old_recordings_what_never_moves_is_none() {
-        let counted = |role| [false, true].map(|moved| is_counted(role, moved));
-        assert_eq!(counted("station"), [false, false]);
-        assert_eq!(counted("vehicle"), [true, true]);
-        assert_eq!(counted(""), [false, true]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A table of runs, as `simbeeotic sweep` writes it, read.
 
 use super::super::Failure;
-use super::super::table::read_csv;
+use super::tables::{refused, rows};
 use simbeeotic_scenario::sweep::quantity;
 use simbeeotic_units::did_you_mean;
 use std::path::{Path, PathBuf};
@@ -75,17 +75,8 @@ impl Values {
 
 impl Runs {
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
-        let refused = |what: &str| {
-            Failure::input(format!(
-                "{}: {what}; `simbeeotic sweep` writes such a table, and `plot sweep` reads it as .csv",
-                path.display()
-            ))
-        };
-        let bytes = std::fs::read(path)
-            .map_err(|e| Failure::input(format!("cannot read {}: {e}", path.display())))?;
-        let text = String::from_utf8(bytes).map_err(|_| refused("this is no table of text"))?;
-        let rows = read_csv(&text).ok_or_else(|| refused("a quote in it is never closed"))?;
-        let mut rows = rows.into_iter();
+        let refused = |what: &str| refused(path, what);
+        let mut rows = rows(path)?.into_iter();
         let names = rows.next().unwrap_or_default();
         let rows: Vec<Vec<String>> = rows.collect();
         let of = |wanted: &str| names.iter().position(|name| name == wanted);
@@ -220,13 +211,11 @@ impl Runs {
                 values.push(value.clone());
             }
         }
-        let number = |text: &String| quantity(text).map(|(number, _)| number);
-        if values.iter().all(|text| number(text).is_some()) {
-            values.sort_by(|a, b| {
-                number(a)
-                    .partial_cmp(&number(b))
-                    .unwrap_or(std::cmp::Ordering::Equal)
-            });
+        let parts: Option<Vec<(f64, &str)>> = values.iter().map(|text| quantity(text)).collect();
+        // Of several units the bare numbers say nothing of an order.
+        if parts.is_some_and(|parts| parts.windows(2).all(|two| two[0].1 == two[1].1)) {
+            let number = |text: &String| quantity(text).map_or(f64::NAN, |(number, _)| number);
+            values.sort_by(|a, b| number(a).total_cmp(&number(b)));
         }
         values
     }
@@ -309,6 +298,16 @@ mod tests {
             .key("--x", "count")
             .unwrap_or_else(|f| panic!("{}", f.message));
         assert_eq!(runs.distinct(&count), ["9", "10"]);
+        let units = "run,seed,range,trace_hash\n1,1,10 m,0\n2,1,1 km,0\n3,1,500 m,0\n";
+        let runs = self::runs(units).unwrap_or_else(|e| panic!("{e}"));
+        let range = runs
+            .key("--x", "range")
+            .unwrap_or_else(|f| panic!("{}", f.message));
+        assert_eq!(
+            runs.distinct(&range),
+            ["10 m", "1 km", "500 m"],
+            "as in the table"
+        );
     }
 
     #[test]

@@ -3,14 +3,15 @@
 use super::super::{Failure, remark};
 use super::arguments::{BandKind, SeriesOptions};
 use super::axes::{Axis, Panel};
-use super::band::{Mean, averaged, means, times};
+use super::band::{Mean, averaged, means, of_seeds, times};
+use super::limits::Limits;
 use super::lines::simplified;
 use super::map::{Column, LEGEND};
 use super::palette::series;
 use super::quantity::{Curve, Quantity, read};
 use super::sheet::{HEAD, Ink, Sheet, TEXT};
 use super::source::Sources;
-use super::sweep::groups;
+use super::sweep::{Group, groups};
 use super::traces::COLOURS;
 
 /// More lines than these are drawn as a band, unless all are asked for.
@@ -81,7 +82,9 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
             let ink = series(at);
             let unit = &quantity.unit;
             let alone = quantities.iter().filter(|q| q.unit == *unit).count() == 1;
+            let mut cut = [false; 2];
             let mut add = |curves: &[Curve], dashed: bool, kind: BandKind| {
+                let means = means(curves, &times(curves.iter()), kind);
                 drawn.push(Drawn {
                     name: match dashed {
                         true => "truth".to_owned(),
@@ -93,7 +96,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
                     width: if dashed { 1.2 } else { 2.2 },
                     dashed,
                     holds: false,
-                    means: within(means(curves, &times(curves.iter()), kind), quantity.ends()),
+                    means: within(means, quantity.limits(), &mut cut),
                     quantity: at,
                 });
             };
@@ -102,18 +105,20 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
                 add(&quantity.truth, true, BandKind::None);
             }
             what.push(format!(
-                "mean of {count}{}{}",
+                "mean of {count}{}{}{}",
                 quantity.without(),
-                said(kind)
+                said(kind),
+                quantity.limits().said(cut)
             ));
             continue;
         }
-        let many = all > LINES_MAX;
+        // A line alone among many others is seen as well as a mean.
+        let many = all > LINES_MAX && count > 1;
+        let before: usize = quantities[..at].iter().map(|q| q.curves.len()).sum();
         for (line, curve) in quantity.curves.iter().enumerate() {
-            let place = if many {
-                at
-            } else {
-                drawn.iter().filter(|d: &&Drawn| !d.dashed).count()
+            let place = match all > LINES_MAX {
+                true => at,
+                false => before + line,
             };
             let name = match (many, line, quantities.len()) {
                 (true, 0, _) => format!("{} ({count})", quantity.name),
@@ -124,7 +129,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
             };
             let ink = series(place);
             let (width, alpha) = if many {
-                (1.0, (12.0 / all as f64).clamp(0.12, 0.8))
+                (1.0, (12.0 / count as f64).clamp(0.12, 0.8))
             } else {
                 (1.8, 1.0)
             };
@@ -189,12 +194,14 @@ fn line_of(
     }
 }
 
-/// Means whose bands stay within what there can be.
-fn within(mut means: Vec<Mean>, [least, most]: [f64; 2]) -> Vec<Mean> {
+/// Means whose bands stay within what there can be; notes at which ends they were cut.
+fn within(mut means: Vec<Mean>, limits: Limits, cut: &mut [bool; 2]) -> Vec<Mean> {
     for mean in &mut means {
-        mean.band = mean
-            .band
-            .map(|[low, high]| [low.max(least), high.min(most)]);
+        let Some(band) = mean.band else { continue };
+        let (kept, _) = limits.cut(band);
+        cut[0] |= kept[0] != band[0];
+        cut[1] |= kept[1] != band[1];
+        mean.band = Some(kept);
     }
     means
 }
@@ -216,8 +223,11 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
     let mut heads: Vec<Quantity> = Vec::new();
     let mut drawn = Vec::new();
     let groups = groups(sources, numbers.by.as_deref())?;
+    let mut bounds: Vec<Option<Limits>> = vec![None; numbers.metric.len()];
+    let mut cut = vec![[false; 2]; numbers.metric.len()];
+    let mut later = Vec::new();
     for (place, group) in groups.iter().enumerate() {
-        let mut runs: Vec<Vec<Curve>> = vec![Vec::new(); numbers.metric.len()];
+        let mut runs: Vec<Vec<(Option<u64>, Curve)>> = vec![Vec::new(); numbers.metric.len()];
         for source in &group.runs {
             let quantities = read(source, &numbers.metric, &numbers.models)?;
             for (at, mut quantity) in quantities.into_iter().enumerate() {
@@ -235,7 +245,10 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                     Some(_) => {}
                     None => heads.push(quantity),
                 }
-                runs[at].push(averaged(&curves, &times(curves.iter())));
+                let run = averaged(&curves, &times(curves.iter()));
+                let limits = Limits::of(&heads[at].name, &heads[at].unit, values(&run));
+                bounds[at] = Some(bounds[at].map_or(limits, |other: Limits| other.or(limits)));
+                runs[at].push((source.recording.seed(), run));
             }
         }
         let ends = group.runs.iter().map(|run| run.recording.end_ns());
@@ -251,7 +264,8 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
             let unit = &heads[at].unit;
             let alone = heads.iter().filter(|head| head.unit == *unit).count() == 1;
             let name = match (group.name.as_str(), alone) {
-                ("", _) => format!("{}, {n} runs", heads[at].name),
+                ("", true) => String::new(),
+                ("", false) => format!("{}, {n} runs", heads[at].name),
                 (name, true) => name.to_owned(),
                 (name, false) => format!("{}, {name}", heads[at].name),
             };
@@ -259,9 +273,8 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 true => series(place),
                 false => series(place * heads.len() + at),
             };
-            let mut times = times(runs.iter());
             if options.each {
-                for (run, curve) in runs.iter().enumerate() {
+                for (run, (_, curve)) in runs.iter().enumerate() {
                     let name = if run == 0 {
                         name.clone()
                     } else {
@@ -271,6 +284,8 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 }
                 continue;
             }
+            let runs = of_seeds(runs);
+            let mut times = times(runs.iter());
             // Behind the end of the shortest run the mean would be of others.
             times.retain(|time_s| *time_s <= end_s + 1e-9);
             drawn.push(Drawn {
@@ -280,24 +295,45 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 width: 2.2,
                 dashed: false,
                 holds: false,
-                means: within(means(&runs, &times, kind), heads[at].ends()),
+                means: means(&runs, &times, kind),
                 quantity: at,
             });
+            later.push(drawn.len() - 1);
         }
     }
+    // What there can be is known when all runs are.
+    for line in later {
+        let at = drawn[line].quantity;
+        let means = std::mem::take(&mut drawn[line].means);
+        drawn[line].means = within(means, bounds[at].unwrap_or(Limits::NONE), &mut cut[at]);
+    }
+    let cuts: Vec<String> = (bounds.iter().zip(&cut))
+        .map(|(limits, cut)| limits.unwrap_or(Limits::NONE).said(*cut))
+        .filter(|text| !text.is_empty())
+        .collect();
     let lone = groups.iter().filter(|group| group.runs.len() == 1).count();
     let mut what = match options.each {
         true => "mean of each run".to_owned(),
         false => format!(
-            "mean over runs{}{}",
+            "mean over {}{}{}{}",
+            match groups.iter().find_map(Group::seeds) {
+                Some(_) => "seeds, of each that over its runs",
+                None => "runs",
+            },
             heads.first().map_or(String::new(), Quantity::without),
-            said(kind)
+            said(kind),
+            cuts.first().map_or("", String::as_str)
         ),
     };
     if lone > 0 && !options.each && kind != BandKind::None {
         what += "; of one run alone there is no band";
     }
     Ok((heads, drawn, what))
+}
+
+/// The values of a curve.
+fn values(curve: &Curve) -> impl Iterator<Item = f64> {
+    curve.points.iter().map(|[_, value]| *value)
 }
 
 /// A panel for each unit, one below the other.
@@ -329,6 +365,10 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
         let low = values().fold(f64::INFINITY, f64::min);
         let high = values().fold(f64::NEG_INFINITY, f64::max);
         let of: Vec<&Quantity> = heads.iter().filter(|head| head.unit == **unit).collect();
+        let limits = of
+            .iter()
+            .map(|head| Limits::of(&head.name, &head.unit, values()));
+        let limits = limits.reduce(Limits::or).unwrap_or(Limits::NONE);
         let label = match of.as_slice() {
             [one] => one.label(),
             several => {
@@ -343,7 +383,7 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
         let panel = Panel {
             edges: [96.0, top, width - legend - 24.0, top + each - 22.0],
             x: x.clone(),
-            y: value_axis(label, low, high, (each / 70.0).max(2.0)),
+            y: value_axis(label, [low, high], (each / 70.0).max(2.0), limits),
         };
         panel.draw(sheet, row + 1 == units.len());
         for line in drawn.iter().filter(mine) {
@@ -369,11 +409,11 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
     }
 }
 
-/// An axis that holds values, and zero if that is near.
-pub(super) fn value_axis(label: String, low: f64, high: f64, ticks: f64) -> Axis {
-    let (low, high) = match low <= high {
-        true => (low, high),
-        false => (0.0, 1.0),
+/// An axis that holds values, and zero if that is near, and nothing that cannot be.
+pub(super) fn value_axis(label: String, ends: [f64; 2], ticks: f64, limits: Limits) -> Axis {
+    let [low, high] = match ends[0] <= ends[1] {
+        true => ends,
+        false => [0.0, 1.0],
     };
     let near = high - low;
     let low = if low >= 0.0 && low <= near { 0.0 } else { low };
@@ -390,7 +430,10 @@ pub(super) fn value_axis(label: String, low: f64, high: f64, ticks: f64) -> Axis
             low + 0.5 * low.abs().max(1.0),
         ),
     };
-    Axis::stretched(label, low, high, ticks)
+    let (low, high) = (low.max(limits.least), high.min(limits.most));
+    let mut axis = Axis::stretched(label, low, high, ticks);
+    axis.high = axis.high.min(limits.most);
+    axis
 }
 
 impl Drawn {
@@ -436,6 +479,18 @@ impl Drawn {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_axis_goes_nowhere_where_nothing_can_be() {
+        let share = Limits::of("delivery", "", [1.0].into_iter());
+        let axis = value_axis(String::new(), [1.0, 1.0], 5.0, share);
+        assert_eq!((axis.low, axis.high), (0.5, 1.0));
+        let axis = value_axis(String::new(), [0.93, 0.999], 5.0, share);
+        assert_eq!(axis.high, 1.0);
+        let count = Limits::of("trips", "", [1.0].into_iter());
+        let axis = value_axis(String::new(), [0.0, 0.0], 5.0, count);
+        assert!(axis.low == 0.0 && axis.high > 0.0, "{axis:?}");
+    }
 
     #[test]
     fn a_line_says_once_what_it_is_of_and_whose() {

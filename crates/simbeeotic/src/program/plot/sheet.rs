@@ -83,6 +83,49 @@ pub(crate) enum Shape {
     Words(Words),
 }
 
+/// What things are drawn on.
+pub(crate) trait Canvas {
+    /// A [`Shape::Line`].
+    fn line(&mut self, points: &[[f64; 2]], ink: Ink, width: f64, dash: Option<[f64; 2]>);
+    /// A [`Shape::Area`].
+    fn area(&mut self, rings: &[Vec<[f64; 2]>], ink: Ink);
+    /// [`Shape::Cells`].
+    fn cells(&mut self, edges: [f64; 4], columns: u32, inks: &[Ink]);
+    /// A [`Shape::Disc`].
+    fn disc(&mut self, centre: [f64; 2], radius: f64, ink: Ink, rim: f64);
+    /// [`Shape::Words`].
+    fn words(&mut self, words: &Words);
+}
+
+impl Sheet {
+    /// Draws all of it, from the lowest to the highest.
+    pub(crate) fn draw_on(&self, canvas: &mut impl Canvas) {
+        for shape in &self.shapes {
+            match shape {
+                Shape::Line {
+                    points,
+                    ink,
+                    width,
+                    dash,
+                } => canvas.line(points, *ink, *width, *dash),
+                Shape::Area { rings, ink } => canvas.area(rings, *ink),
+                Shape::Cells {
+                    edges,
+                    columns,
+                    inks,
+                } => canvas.cells(*edges, *columns, inks),
+                Shape::Disc {
+                    centre,
+                    radius,
+                    ink,
+                    rim,
+                } => canvas.disc(*centre, *radius, *ink, *rim),
+                Shape::Words(words) => canvas.words(words),
+            }
+        }
+    }
+}
+
 /// A line of words; its base line goes through `at`.
 #[derive(Clone, Debug)]
 pub(crate) struct Words {
@@ -210,6 +253,19 @@ impl Sheet {
             ink: TEXT,
             upwards: false,
             halo: true,
+        }));
+    }
+
+    /// Words that read upwards and end at a place, below an axis.
+    pub(crate) fn words_turned(&mut self, at: [f64; 2], text: &str, size: f64) {
+        self.shapes.push(Shape::Words(Words {
+            at,
+            text: text.to_owned(),
+            size,
+            anchor: Anchor::End,
+            ink: TEXT,
+            upwards: true,
+            halo: false,
         }));
     }
 

@@ -46,6 +46,7 @@ enum What {
 pub(super) fn draw(
     sheet: &mut Sheet,
     scene: &Scene,
+    paints: &Paints,
     options: &TraceOptions,
 ) -> Result<(), Failure> {
     let angle = |option: &str, text: &str| {
@@ -63,10 +64,9 @@ pub(super) fn draw(
     let room = Room::around(scene);
     let eye = Eye::fitting(sheet, &room, azimuth, elevation);
     floor(sheet, &eye, &room);
-    let paints = Paints::of(scene, options.color);
     let mut things = Vec::new();
     let left_out = world(&mut things, &eye, scene, options, &room);
-    flights(&mut things, &eye, scene, &paints, &room);
+    flights(&mut things, &eye, scene, paints, &room);
     things.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     for thing in things {
         thing.what.draw(sheet);
@@ -77,7 +77,7 @@ pub(super) fn draw(
         HEAD + 20.0,
         f64::from(sheet.height) - 20.0,
     );
-    paints.legend(sheet, &mut column, scene);
+    paints.legend(sheet, &mut column, std::slice::from_ref(scene));
     column.note(sheet, &["Grey: the traces'", "shadows at noon."]);
     if left_out {
         column.note(sheet, &["Meshes that are too", "fine are left out."]);
@@ -250,7 +250,8 @@ fn floor(sheet: &mut Sheet, eye: &Eye, room: &Room) {
     for x in ticks([west, east]) {
         label(corner(x, near_y), [0.0, side(towards_north), 0.0], x);
     }
-    for y in ticks([south, north]) {
+    // Where both axes meet, one number is enough.
+    for y in ticks([south, north]).filter(|y| (y - near_y).abs() > 0.5 * room.step) {
         label(corner(near_x, y), [side(towards_east), 0.0, 0.0], y);
     }
     let [x, y] = out(
@@ -370,7 +371,7 @@ fn flights(things: &mut Vec<Thing>, eye: &Eye, scene: &Scene, paints: &Paints, r
         });
         for (middle, range) in parts(paints, &points, many) {
             let (at, point) = points[middle];
-            let ink = paints.ink(place, flight, scene.times_s[at], point[2]);
+            let ink = paints.ink(place, flight, at, point[2]);
             let part = &points[range];
             let count = if paints.changes() { 1 } else { LINKS };
             let long = (part.len() - 1).div_ceil(count).max(1);
@@ -383,7 +384,7 @@ fn flights(things: &mut Vec<Thing>, eye: &Eye, scene: &Scene, paints: &Paints, r
                 });
             }
         }
-        let ink = |(at, p): &(usize, [f64; 3])| paints.ink(place, flight, scene.times_s[*at], p[2]);
+        let ink = |(at, p): &(usize, [f64; 3])| paints.ink(place, flight, *at, p[2]);
         let (low, high) = (eye.pixel([last.1[0], last.1[1], foot]), eye.pixel(last.1));
         if many <= DROPS_MAX {
             things.push(Thing {

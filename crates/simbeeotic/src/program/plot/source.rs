@@ -5,11 +5,13 @@ use super::arguments::PlotOptions;
 use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{Links, Recording, Stage};
 use std::ops::RangeInclusive;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A recording and the times that are wanted of it.
 pub(super) struct Source {
     pub(super) recording: Recording,
+    /// The trace hash, if the run came to its end.
+    trace: Option<String>,
     pub(super) times_ns: RangeInclusive<u64>,
 }
 
@@ -33,14 +35,12 @@ impl Sources {
                 SimTime::from_nanos(to)
             )));
         }
-        let sources: Vec<Source> = (options.recordings.iter())
+        let recordings = listed(&options.recordings)?;
+        let sources: Vec<Source> = (recordings.iter())
             .map(|path| Source::open(path, from..=to))
             .collect::<Result<_, _>>()?;
-        for (at, path) in options.recordings.iter().enumerate() {
-            if options.recordings[..at]
-                .iter()
-                .any(|other| same_file(other, path))
-            {
+        for (at, path) in recordings.iter().enumerate() {
+            if recordings[..at].iter().any(|other| same_file(other, path)) {
                 return Err(Failure::input(format!(
                     "{} is given twice: one run would count as two",
                     path.display()
@@ -50,6 +50,18 @@ impl Sources {
                 return Err(Failure::input(format!(
                     "{} is the recording itself; choose another name for the picture",
                     options.output.display()
+                )));
+            }
+        }
+        for (at, source) in sources.iter().enumerate() {
+            if let Some(other) = sources[..at].iter().find(|other| other.is_run_of(source)) {
+                let seed = source.recording.seed().map_or(0, u64::cast_signed);
+                return Err(Failure::input(format!(
+                    "{} and {} are one and the same run (scenario {:?}, seed {seed}): it would count as two; \
+                     leave one of them out",
+                    other.file(),
+                    source.file(),
+                    source.name()
                 )));
             }
         }
@@ -64,17 +76,6 @@ impl Sources {
     /// The first, and whether it is the only one.
     pub(super) fn first(&self) -> &Source {
         &self.0[0]
-    }
-
-    /// The only one.
-    pub(super) fn one(&self, what: &str) -> Result<&Source, Failure> {
-        match self.0.as_slice() {
-            [one] => Ok(one),
-            several => Err(Failure::input(format!(
-                "{what} shows one recording, and {} are given",
-                several.len()
-            ))),
-        }
     }
 
     /// The links of all, period by period.
@@ -96,7 +97,11 @@ impl Sources {
         };
         let name = self.first().name();
         let same = self.0.iter().all(|source| source.name() == name);
-        let name = if same { name } else { "several scenarios" };
+        let name = if same {
+            name
+        } else {
+            "several scenarios".to_owned()
+        };
         format!(
             "{name}, {} runs{seeds}, {} to {}: {more}",
             self.0.len(),
@@ -104,6 +109,34 @@ impl Sources {
             said(last_ns)
         )
     }
+}
+
+/// The recordings of arguments: a folder stands for all that are in it, in the order of their names.
+fn listed(arguments: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let mut all = Vec::new();
+    for argument in arguments {
+        if !argument.is_dir() {
+            all.push(argument.clone());
+            continue;
+        }
+        let unread = |e| Failure::input(format!("cannot read {}: {e}", argument.display()));
+        let mut inside = Vec::new();
+        for entry in std::fs::read_dir(argument).map_err(unread)? {
+            let path = entry.map_err(unread)?.path();
+            if path.extension().is_some_and(|ending| ending == "mcap") {
+                inside.push(path);
+            }
+        }
+        if inside.is_empty() {
+            return Err(Failure::input(format!(
+                "{}: there is no recording in this folder: none of its files ends in .mcap",
+                argument.display()
+            )));
+        }
+        inside.sort();
+        all.extend(inside);
+    }
+    Ok(all)
 }
 
 /// A point of time in an argument, ns.
@@ -123,10 +156,26 @@ impl Source {
                 SimTime::from_nanos(recording.end_ns())
             ));
         }
+        let summary = recording.summary();
+        let trace = summary
+            .as_ref()
+            .and_then(|summary| summary.get("trace_hash"));
         Ok(Self {
+            trace: trace.and_then(|hash| hash.as_str()).map(str::to_owned),
             recording,
             times_ns,
         })
+    }
+
+    /// Whether both are of one run: its scenario, its seed and, if both came to their ends, its trace.
+    fn is_run_of(&self, other: &Self) -> bool {
+        let (a, b) = (&self.recording, &other.recording);
+        let same = a.seed().is_some() && a.seed() == b.seed() && a.scenario() == b.scenario();
+        same && match (&self.trace, &other.trace) {
+            (Some(a), Some(b)) => a == b,
+            // One was cut off, or they were not written by a run of ours.
+            _ => a.truncated() || b.truncated() || a.end_ns() == b.end_ns(),
+        }
     }
 
     /// The links, period by period.
@@ -152,6 +201,33 @@ impl Source {
         Ok(links)
     }
 
+    /// What stood in the worlds of all, if that was recorded, and how many more things one of them had.
+    pub(super) fn common_stage(runs: &[&Self]) -> Result<(Option<Stage>, usize), Failure> {
+        let mut common: Option<Stage> = None;
+        let mut most = 0;
+        for run in runs {
+            let Some(own) = run.stage()? else {
+                return Ok((None, 0));
+            };
+            let Some(stage) = &mut common else {
+                most = own.props.len();
+                common = Some(own);
+                continue;
+            };
+            // Mostly each stands at the same place of both lists.
+            let mut place = 0;
+            stage.props.retain(|prop| {
+                let same = own.props.get(place) == Some(prop) || own.props.contains(prop);
+                place += 1;
+                same
+            });
+            most = most.max(own.props.len());
+            stage.plane &= own.plane;
+        }
+        let left = common.as_ref().map_or(0, |stage| stage.props.len());
+        Ok((common, most - left))
+    }
+
     /// What stood in its world, if that was recorded.
     pub(super) fn stage(&self) -> Result<Option<Stage>, Failure> {
         self.recording.stage().map_err(Failure::run)
@@ -171,11 +247,24 @@ impl Source {
         self.recording.path().display().to_string()
     }
 
-    /// The recorded scenario's name.
-    fn name(&self) -> &str {
+    /// The file's name without its folder and ending.
+    pub(super) fn stem(&self) -> String {
+        let stem = self.recording.path().file_stem();
+        stem.map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// The recorded scenario's name; of one that is called by its file, without folder and ending.
+    pub(super) fn name(&self) -> String {
         let run = self.recording.metadata("run");
-        run.and_then(|run| run.get("name"))
-            .map_or("", String::as_str)
+        let name = run.and_then(|run| run.get("name"));
+        let name = name.map_or("", String::as_str);
+        let path = Path::new(name);
+        match (path.extension(), path.file_stem()) {
+            (Some(ending), Some(stem)) if ending == "toml" || ending == "xml" => {
+                stem.to_string_lossy().into_owned()
+            }
+            _ => name.to_owned(),
+        }
     }
 
     /// The recorded scenario's name and the times that are drawn, for the line below the title.

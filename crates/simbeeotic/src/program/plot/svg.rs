@@ -1,7 +1,7 @@
 //! A picture as SVG.
 
 use super::png;
-use super::sheet::{Anchor, Ink, Shape, Sheet, Words};
+use super::sheet::{Anchor, Canvas, Ink, Sheet, Words};
 use std::fmt::Write as _;
 
 /// The file's text.
@@ -12,121 +12,102 @@ pub(crate) fn svg(sheet: &Sheet) -> String {
          viewBox=\"0 0 {width} {height}\" font-family=\"'DejaVu Sans', Verdana, Arial, sans-serif\">\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
     );
-    for shape in &sheet.shapes {
-        draw(&mut text, shape);
-    }
+    sheet.draw_on(&mut Svg(&mut text));
     text.push_str("</svg>\n");
     text
 }
 
-/// Appends one thing. Writing to a text cannot fail.
-fn draw(out: &mut String, shape: &Shape) {
-    let _ = match shape {
-        Shape::Line {
-            points,
-            ink,
-            width,
-            dash,
-        } => {
-            let dash = dash.map_or(String::new(), |[on, off]| {
-                format!(" stroke-dasharray=\"{} {}\"", short(on), short(off))
-            });
-            writeln!(
-                out,
-                "<path d=\"{}\" fill=\"none\" stroke=\"{}\"{} stroke-width=\"{}\"{dash} stroke-linejoin=\"round\"/>",
-                path(points),
-                colour(*ink),
-                opacity("stroke", *ink),
-                short(*width)
-            )
-        }
-        Shape::Area { rings, ink } => {
-            let rule = match rings.len() > 1 {
-                true => " fill-rule=\"evenodd\"",
-                false => "",
-            };
-            let _ = write!(out, "<path d=\"");
-            for ring in rings {
-                let _ = write!(out, "{}z", path(ring));
+/// A text that grows by one element for each thing. Writing to a text cannot fail.
+struct Svg<'t>(&'t mut String);
+
+impl Canvas for Svg<'_> {
+    fn line(&mut self, points: &[[f64; 2]], ink: Ink, width: f64, dash: Option<[f64; 2]>) {
+        let dash = dash.map_or(String::new(), |[on, off]| {
+            format!(" stroke-dasharray=\"{} {}\"", short(on), short(off))
+        });
+        let _ = writeln!(
+            self.0,
+            "<path d=\"{}\" fill=\"none\" stroke=\"{}\"{} stroke-width=\"{}\"{dash} stroke-linejoin=\"round\"/>",
+            path(points),
+            colour(ink),
+            opacity("stroke", ink),
+            short(width)
+        );
+    }
+
+    fn area(&mut self, rings: &[Vec<[f64; 2]>], ink: Ink) {
+        let rule = match rings.len() > 1 {
+            true => " fill-rule=\"evenodd\"",
+            false => "",
+        };
+        let paths: String = rings.iter().map(|ring| path(ring) + "z").collect();
+        let _ = writeln!(
+            self.0,
+            "<path d=\"{paths}\" fill=\"{}\"{}{rule}/>",
+            colour(ink),
+            opacity("fill", ink)
+        );
+    }
+
+    /// A picture in the picture.
+    fn cells(&mut self, edges: [f64; 4], columns: u32, inks: &[Ink]) {
+        let Some(png) = png::cells(columns, inks) else {
+            return;
+        };
+        let [left, top, right, bottom] = edges;
+        let _ = writeln!(
+            self.0,
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+             style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
+            short(left),
+            short(top),
+            short(right - left),
+            short(bottom - top),
+            base64(&png)
+        );
+    }
+
+    fn disc(&mut self, [x, y]: [f64; 2], radius: f64, ink: Ink, rim: f64) {
+        let rim = match rim > 0.0 {
+            true => format!(" stroke=\"#ffffff\" stroke-width=\"{}\"", short(rim)),
+            false => String::new(),
+        };
+        let _ = writeln!(
+            self.0,
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"{}{rim}/>",
+            short(x),
+            short(y),
+            short(radius),
+            colour(ink),
+            opacity("fill", ink)
+        );
+    }
+
+    fn words(&mut self, words: &Words) {
+        let anchor = match words.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let [x, y] = words.at.map(short);
+        let turn = match words.upwards {
+            true => format!(" transform=\"rotate(-90 {x} {y})\""),
+            false => String::new(),
+        };
+        let rim = match words.halo {
+            true => {
+                " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\""
             }
-            writeln!(
-                out,
-                "\" fill=\"{}\"{}{rule}/>",
-                colour(*ink),
-                opacity("fill", *ink)
-            )
-        }
-        Shape::Cells {
-            edges,
-            columns,
-            inks,
-        } => cells(out, *edges, *columns, inks),
-        Shape::Disc {
-            centre: [x, y],
-            radius,
-            ink,
-            rim,
-        } => {
-            let rim = match *rim > 0.0 {
-                true => format!(" stroke=\"#ffffff\" stroke-width=\"{}\"", short(*rim)),
-                false => String::new(),
-            };
-            writeln!(
-                out,
-                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"{}{rim}/>",
-                short(*x),
-                short(*y),
-                short(*radius),
-                colour(*ink),
-                opacity("fill", *ink)
-            )
-        }
-        Shape::Words(words) => letters(out, words),
-    };
-}
-
-fn letters(out: &mut String, words: &Words) -> std::fmt::Result {
-    let anchor = match words.anchor {
-        Anchor::Start => "",
-        Anchor::Middle => " text-anchor=\"middle\"",
-        Anchor::End => " text-anchor=\"end\"",
-    };
-    let [x, y] = words.at.map(short);
-    let turn = match words.upwards {
-        true => format!(" transform=\"rotate(-90 {x} {y})\""),
-        false => String::new(),
-    };
-    let rim = match words.halo {
-        true => {
-            " stroke=\"#ffffff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\""
-        }
-        false => "",
-    };
-    writeln!(
-        out,
-        "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}{rim}>{}</text>",
-        short(words.size),
-        colour(words.ink),
-        escaped(&words.text)
-    )
-}
-
-/// Cells as a picture in the picture.
-fn cells(out: &mut String, edges: [f64; 4], columns: u32, inks: &[Ink]) -> std::fmt::Result {
-    let Some(png) = png::cells(columns, inks) else {
-        return Ok(());
-    };
-    let [left, top, right, bottom] = edges;
-    writeln!(
-        out,
-        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
-         style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
-        short(left),
-        short(top),
-        short(right - left),
-        short(bottom - top),
-        base64(&png)
-    )
+            false => "",
+        };
+        let _ = writeln!(
+            self.0,
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}{rim}>{}</text>",
+            short(words.size),
+            colour(words.ink),
+            escaped(&words.text)
+        );
+    }
 }
 
 /// Bytes as letters, RFC 4648.

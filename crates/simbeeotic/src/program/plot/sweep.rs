@@ -1,6 +1,7 @@
 //! Runs of one experiment: which of them belong together.
 
-use super::super::Failure;
+use super::super::{Failure, remark};
+use super::map::MAPS_MAX;
 use super::source::{Source, Sources};
 use simbeeotic_model::config::{Node, SourceId, Sources as Texts, Value};
 
@@ -9,6 +10,8 @@ pub(super) struct Group<'a> {
     /// What sets them apart from others; empty if nothing does.
     pub(super) name: String,
     pub(super) runs: Vec<&'a Source>,
+    /// Their places among all.
+    pub(super) places: Vec<usize>,
 }
 
 /// The runs by what sets them apart: `seed`, `file`, or a value of the scenario; smaller numbers first.
@@ -17,29 +20,59 @@ pub(super) fn groups<'a>(
     by: Option<&str>,
 ) -> Result<Vec<Group<'a>>, Failure> {
     let mut groups: Vec<Group<'a>> = Vec::new();
-    for source in sources.all() {
+    for (at, source) in sources.all().iter().enumerate() {
         let name = match by {
             None => String::new(),
             Some("seed") => match source.recording.seed() {
                 Some(seed) => format!("seed {}", seed.cast_signed()),
                 None => "no seed".to_owned(),
             },
-            Some("file") => {
-                let stem = source.recording.path().file_stem();
-                stem.map_or(String::new(), |stem| stem.to_string_lossy().into_owned())
-            }
+            Some("file") => source.stem(),
             Some(key) => format!("{} = {}", short(key), value(source, key)?),
         };
         match groups.iter_mut().find(|group| group.name == name) {
-            Some(group) => group.runs.push(source),
+            Some(group) => {
+                group.runs.push(source);
+                group.places.push(at);
+            }
             None => groups.push(Group {
                 name,
                 runs: vec![source],
+                places: vec![at],
             }),
         }
     }
     groups.sort_by_key(|group| natural(&group.name));
     Ok(groups)
+}
+
+/// The runs of each map: as [`groups`], but no more than fit beside each other.
+pub(super) fn map_groups<'a>(
+    sources: &'a Sources,
+    by: Option<&str>,
+) -> Result<Vec<Group<'a>>, Failure> {
+    if by.is_some() && sources.all().len() == 1 {
+        remark("note: --by sets several recordings apart, and there is one");
+    }
+    let groups = groups(sources, by)?;
+    match groups.len() {
+        many if many > MAPS_MAX => Err(Failure::input(format!(
+            "--by {}: it has {many} values; {MAPS_MAX} maps are the most beside each other",
+            by.unwrap_or_default()
+        ))),
+        _ => Ok(groups),
+    }
+}
+
+impl Group<'_> {
+    /// How many seeds its runs have, if there are several runs of each.
+    pub(super) fn seeds(&self) -> Option<usize> {
+        let mut seeds: Vec<Option<u64>> =
+            self.runs.iter().map(|run| run.recording.seed()).collect();
+        seeds.sort_unstable();
+        seeds.dedup();
+        (seeds.len() > 1 && seeds.len() < self.runs.len()).then_some(seeds.len())
+    }
 }
 
 /// The last part of a path: what a reader of a key knows it by.

@@ -1,0 +1,259 @@
+//! Maps of a whole sweep, and what is said of recordings that do not fit each other.
+
+use crate::plot_runs::{drawn, lines, record};
+use crate::program::Program;
+
+/// Three runs in a folder: the bees of the later ones publish more, and fly longer.
+fn folder(program: &Program) {
+    std::fs::create_dir(program.path("runs")).expect("a folder");
+    for seed in 1..=3 {
+        record(program, &format!("runs/{seed}.mcap"), seed, 8 + seed, 1.0);
+    }
+    program.write("runs/notes.txt", "no recording");
+}
+
+fn words(program: &Program, arguments: &[&str]) -> Vec<String> {
+    crate::plot::words(&drawn(program, arguments))
+}
+
+fn refused(program: &Program, arguments: &[&str], told: &str) {
+    let call = program.call(&[&["plot"], arguments].concat());
+    assert_eq!(call.code, Some(2), "{arguments:?}: {}", call.err);
+    assert!(call.err.contains(told), "{told} is not in:\n{}", call.err);
+    assert!(!call.err.contains("panicked"), "{}", call.err);
+}
+
+#[test]
+fn a_folder_stands_for_its_recordings() {
+    let program = Program::new();
+    folder(&program);
+    let metric = ["series", "runs", "-o", "x.svg", "--metric", "load"];
+    let words = words(&program, &metric);
+    assert!(words[1].contains("3 runs, seeds 1 to 3"), "{}", words[1]);
+    std::fs::create_dir(program.path("none")).expect("a folder");
+    let none = ["series", "none", "-o", "x.svg", "--metric", "load"];
+    refused(&program, &none, "there is no recording in this folder");
+}
+
+#[test]
+fn flights_of_several_runs_lie_on_one_map_or_on_one_each() {
+    let program = Program::new();
+    folder(&program);
+    let all = ["traces", "runs", "-o", "x.svg"];
+    let one = words(&program, &all);
+    assert!(
+        one[1].contains("6 flights, 1 at rest"),
+        "the hive is one: {}",
+        one[1]
+    );
+    for seed in 1..=3 {
+        assert!(one.contains(&format!("seed {seed}")), "{one:?}");
+    }
+    assert_eq!(one.iter().filter(|word| *word == "east, m").count(), 1);
+    let svg = drawn(&program, &[&all[..], &["--by", "seed"]].concat());
+    // The block of the world stands on each map; the colours are vehicles again.
+    assert_eq!(svg.matches("fill=\"#d94d4d\"").count(), 3);
+    let apart = crate::plot::words(&svg);
+    assert!(apart.contains(&"bee-1".to_owned()), "{apart:?}");
+    assert_eq!(
+        apart
+            .iter()
+            .filter(|word| word.starts_with("seed "))
+            .count(),
+        3
+    );
+    drawn(&program, &[&all[..], &["--3d"]].concat());
+    let solid = [&all[..], &["--3d", "--by", "seed"]].concat();
+    refused(
+        &program,
+        &solid,
+        "--3d draws one picture, and --by sets 3 apart",
+    );
+}
+
+#[test]
+fn coverage_of_several_runs_has_a_mean_and_where_it_is() {
+    let program = Program::new();
+    folder(&program);
+    let all = [
+        "coverage",
+        "runs",
+        "-o",
+        "x.svg",
+        "--cell",
+        "1 m",
+        "--area=0,-1,11,5",
+    ];
+    let mean = words(&program, &all);
+    // Strips of 9, 10 and 11 m, half a metre beyond their ends, on two rows of eleven cells each, of six rows.
+    assert!(
+        mean[1].contains(" ± ") && mean[1].contains("% of 66 m²"),
+        "{}",
+        mean[1]
+    );
+    assert!(mean[1].contains("without hive"), "{}", mean[1]);
+    assert!(mean.contains(&"visits in each run".to_owned()), "{mean:?}");
+    let svg = drawn(&program, &[&all[..], &["--confidence"]].concat());
+    assert_eq!(svg.matches("data:image/png;base64,").count(), 2);
+    let svg = drawn(
+        &program,
+        &[&all[..], &["--by", "seed", "--show", "runs"]].concat(),
+    );
+    assert_eq!(svg.matches("data:image/png;base64,").count(), 3);
+    drawn(
+        &program,
+        &[&all[..], &["--over-time", "--by", "seed"]].concat(),
+    );
+    let alone = ["coverage", "runs/1.mcap", "-o", "x.svg", "--confidence"];
+    refused(&program, &alone, "of one run alone nothing is known");
+    let hive = [&all[..], &["--models", "*"]].concat();
+    assert!(
+        !words(&program, &hive)[1].contains("without"),
+        "it is asked for"
+    );
+}
+
+#[test]
+fn one_run_in_two_files_is_refused() {
+    let program = Program::new();
+    record(&program, "a.mcap", 7, 5, 1.0);
+    std::fs::copy(program.path("a.mcap"), program.path("b.mcap")).expect("a copy");
+    let twice = [
+        "series", "a.mcap", "b.mcap", "-o", "x.svg", "--metric", "load",
+    ];
+    refused(
+        &program,
+        &twice,
+        "a.mcap and b.mcap are one and the same run",
+    );
+    refused(&program, &twice, "seed 7");
+    let same = [
+        "series", "a.mcap", "a.mcap", "-o", "x.svg", "--metric", "load",
+    ];
+    refused(&program, &same, "given twice");
+}
+
+/// Bees on a channel with noise, as many as it says, in a row.
+fn talk(program: &Program, name: &str, seed: u32, count: u32) {
+    let text = format!(
+        "[run]\nseed = {seed}\nend_time = \"5 s\"\n\
+         [channel]\nuse = \"free-space\"\nmedium = \"simple\"\nrange_limit = \"100 m\"\n\
+         noise_floor = {{ mean = \"-85 dBm\", sigma = \"5 dB\" }}\n\
+         [[model]]\nuse = \"broadcast-bee\"\nname = \"bee\"\ncount = {count}\n\
+         start = {{ grid = [{count}, 1, 1], spacing = \"15 m\", from = [\"0 m\", \"0 m\", \"5 m\"] }}\n\
+         radio = {{ use = \"cc2420\" }}\n\
+         [[component]]\nuse = \"recorder\"\npath = \"{name}\"\n"
+    );
+    program.write("talk.toml", &text);
+    program.summary(&["talk.toml"]);
+}
+
+#[test]
+fn links_of_several_runs_are_means_and_the_unsure_ones_are_dashed() {
+    let program = Program::new();
+    for seed in 1..=3 {
+        talk(&program, &format!("{seed}.mcap"), seed, 4);
+    }
+    talk(&program, "five.mcap", 1, 5);
+    let runs = ["links", "1.mcap", "2.mcap", "3.mcap", "-o", "x.svg"];
+    let svg = drawn(&program, &runs);
+    let words = crate::plot::words(&svg);
+    assert!(
+        words[1].ends_with("4 radios, 6 links, mean over runs"),
+        "{}",
+        words[1]
+    );
+    assert!(words.contains(&"± more than 0.1".to_owned()), "{words:?}");
+    // Six pairs have room for their numbers, one for each way that anything is heard on.
+    let numbers = words
+        .iter()
+        .filter(|word| word.starts_with("0.") || word.starts_with("1."));
+    let numbers: Vec<_> = numbers.filter(|word| word.contains(" ± ")).collect();
+    assert!(numbers.len() >= 6, "{words:?}");
+    let unsure = numbers.iter().filter(|word| {
+        let half: f64 = word
+            .rsplit(' ')
+            .next()
+            .and_then(|n| n.parse().ok())
+            .expect("a number");
+        half > 0.105
+    });
+    let dashed = svg.matches("stroke-dasharray=\"7 5\"").count();
+    assert!(dashed >= unsure.count(), "{dashed} {numbers:?}");
+    let others = ["links", "1.mcap", "five.mcap", "-o", "x.svg"];
+    refused(
+        &program,
+        &others,
+        "links of 4 radios and five.mcap of 5; bee-4/radio is in five.mcap only",
+    );
+    let by = [&others[..], &["--by", "model.bee.count"]].concat();
+    let words = crate::plot::words(&drawn(&program, &by));
+    assert!(
+        words.iter().any(|word| word == "count = 4: 6 links"),
+        "{words:?}"
+    );
+}
+
+#[test]
+fn the_three_files_of_a_table_are_one_picture() {
+    let program = Program::new();
+    let csv = "run,seed,n,trace_hash,ended,error,trips\n\
+               1,1,10,0a,end time,,4\n2,2,10,0b,end time,,6\n3,1,20,0c,end time,,\n4,2,20,0d,end time,,\n\
+               5,1,30,0e,end time,,8\n6,2,30,0f,end time,,8\n";
+    program.write("t.csv", csv);
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let objects = rows[1..].iter().map(|row| {
+        let pairs = rows[0]
+            .iter()
+            .zip(row)
+            .map(|(name, value)| match value.parse::<f64>() {
+                Ok(number) if !["trace_hash"].contains(name) => format!("{name:?}: {number}"),
+                _ => format!("{name:?}: {value:?}"),
+            });
+        format!("{{{}}}", pairs.collect::<Vec<_>>().join(", "))
+    });
+    let json = format!("[{}]", objects.collect::<Vec<_>>().join(",\n"));
+    program.write("t.json", &json);
+    let column = |at: usize| {
+        rows[1..]
+            .iter()
+            .map(move |row| row[at].to_owned())
+            .collect()
+    };
+    let columns: Vec<_> = (0..rows[0].len())
+        .map(|at| simbeeotic_record::Column::texts(rows[0][at], column(at)))
+        .collect();
+    simbeeotic_record::write_table(program.path("t.parquet"), &columns).expect("written");
+    let draw = |file: &str| {
+        let arguments = [
+            "sweep", file, "-o", "x.svg", "--x", "n", "--metric", "trips",
+        ];
+        drawn(&program, &arguments)
+    };
+    let svg = draw("t.csv");
+    assert_eq!(draw("t.json"), svg);
+    assert_eq!(draw("t.parquet"), svg);
+    let words = crate::plot::words(&svg);
+    assert!(
+        words[1].contains("6 runs; 2 seeds at each place"),
+        "{}",
+        words[1]
+    );
+    assert!(
+        words[1].contains("2 of them have no number and are left out"),
+        "{}",
+        words[1]
+    );
+    assert!(words[1].contains("cut at 0"), "5 ± 12.7: {}", words[1]);
+    // No line goes through 20, where no run has a number: blue are whiskers alone.
+    for line in lines(&svg, "#0072b2") {
+        let places = line.iter().map(|point| point[0]);
+        let wide = places.clone().fold(0.0, f64::max) - places.fold(f64::INFINITY, f64::min);
+        assert!(wide < 20.0, "{line:?}");
+    }
+    program.write("t.json", "[]");
+    let none = [
+        "sweep", "t.json", "-o", "x.svg", "--x", "n", "--metric", "trips",
+    ];
+    refused(&program, &none, "this is no table of runs");
+}
