@@ -82,24 +82,23 @@ fn coverage_of_several_runs_has_a_mean_and_where_it_is() {
         "x.svg",
         "--cell",
         "1 m",
+        "--reach",
+        "0.6 m",
         "--area=0,-1,11,5",
     ];
     let mean = words(&program, &all);
-    // Strips of 9, 10 and 11 m, half a metre beyond their ends, on two rows of eleven cells each, of six rows.
-    assert!(
-        mean[1].contains(" ± ") && mean[1].contains("% of 66 m²"),
-        "{}",
-        mean[1]
-    );
+    // Each bee sees two rows of nine, ten or eleven cells: 36, 40 and 44 of 66; t(2) 4 / sqrt(3) = 9.94.
+    assert!(mean[1].contains(": 60.6 ± 15.1 % of 66 m²"), "{}", mean[1]);
     assert!(mean[1].contains("without hive"), "{}", mean[1]);
     assert!(mean.contains(&"visits in each run".to_owned()), "{mean:?}");
     let svg = drawn(&program, &[&all[..], &["--confidence"]].concat());
-    assert_eq!(svg.matches("data:image/png;base64,").count(), 2);
+    let pictures = |svg: &str| svg.matches("data:image/png;base64,").count();
+    assert_eq!(pictures(&svg), 4, "two maps, and the colours of each");
     let svg = drawn(
         &program,
         &[&all[..], &["--by", "seed", "--show", "runs"]].concat(),
     );
-    assert_eq!(svg.matches("data:image/png;base64,").count(), 3);
+    assert_eq!(pictures(&svg), 4, "three maps of the same colours");
     drawn(
         &program,
         &[&all[..], &["--over-time", "--by", "seed"]].concat(),

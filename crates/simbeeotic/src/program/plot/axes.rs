@@ -171,18 +171,29 @@ impl Axis {
             return (ticks, self.label.clone());
         }
         // In two parts: ten to the power of 300 is no number's inverse.
-        let tens = |x: f64| {
-            x / math::pow(10.0, 0.5 * f64::from(power)) / math::pow(10.0, 0.5 * f64::from(power))
+        let half = math::pow(10.0, 0.5 * f64::from(power));
+        let scaled = |x: f64| x / half / half;
+        let step = scaled(self.step);
+        let short = ticks
+            .iter()
+            .map(|(value, _)| (*value, number(scaled(*value), step)));
+        let short: Vec<(f64, String)> = short.collect();
+        let (name, unit) = match self.label.rsplit_once(", ") {
+            Some((name, unit)) => (name, format!(" {unit}")),
+            None => (self.label.as_str(), String::new()),
         };
-        let ticks = ticks
+        let widest = short.iter().map(|(_, text)| words::width(text, SMALL));
+        if widest.fold(0.0, f64::max) <= room {
+            return (short, format!("{name}, 10{}{unit}", raised(power)));
+        }
+        // Far from zero, and close together: from a round number on.
+        let hundred = 100.0 * self.step;
+        let base = (self.low / hundred).floor() * hundred;
+        let near = ticks
             .into_iter()
-            .map(|(value, _)| (value, number(tens(value), tens(self.step))));
-        let ten = format!("10{}", raised(power));
-        let label = match self.label.rsplit_once(", ") {
-            Some((name, unit)) => format!("{name}, {ten} {unit}"),
-            None => format!("{}, {ten}", self.label),
-        };
-        (ticks.collect(), label)
+            .map(|(value, _)| (value, number(value - base, self.step)));
+        let from = number(base, hundred);
+        (near.collect(), format!("{}, from {from}", self.label))
     }
 
     /// How much room words below the axis need more if they are turned, pixels; `None` if they need not be.
@@ -403,6 +414,10 @@ mod tests {
             (ticks[1].as_str(), label.as_str()),
             ("1", "n, 10\u{b3}\u{2070}\u{2070}")
         );
+        let far = Axis::exact("north, m", -8_999_997.0, -8_999_990.0, 4.0);
+        let (ticks, label) = lettered(&far, TICK_ROOM);
+        assert_eq!(label, "north, m, from \u{2212}9,000,000");
+        assert_eq!(ticks, ["4", "6", "8", "10"]);
         let (ticks, label) = lettered(&Axis::exact("n", 0.0, 2000.0, 2.0), TICK_ROOM);
         assert_eq!((ticks[1].as_str(), label.as_str()), ("1,000", "n"));
     }

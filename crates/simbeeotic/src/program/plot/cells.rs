@@ -55,6 +55,9 @@ fn estimate(runs: &[&Run], cell: usize, kind: CoverageKind) -> (f64, f64) {
     let values: Vec<(Option<u64>, f64)> = match kind {
         // Who was never there has no last time.
         CoverageKind::Last => mine.filter(|(_, value)| value.is_finite()).collect(),
+        CoverageKind::Runs => mine
+            .map(|(seed, v)| (seed, f64::from(v.is_finite())))
+            .collect(),
         _ => mine
             .map(|(seed, v)| (seed, if v.is_finite() { v } else { 0.0 }))
             .collect(),
@@ -160,9 +163,22 @@ pub(super) fn cells(sheet: &mut Sheet, grid: &Grid, all: &[Cells], options: &Cov
         top + 12.0,
         f64::from(sheet.height) - 60.0,
     );
-    bar(sheet, &mut column, label, range);
+    let whole = show == CoverageKind::Visits && !several;
+    bar(
+        sheet,
+        &mut column,
+        label,
+        range,
+        if whole { 1.0 } else { 0.0 },
+    );
     if options.confidence {
-        bar(sheet, &mut column, "\u{b1}, with 95 % confidence", unsure);
+        bar(
+            sheet,
+            &mut column,
+            "\u{b1}, with 95 % confidence",
+            unsure,
+            0.0,
+        );
     }
     column.mark(sheet, "never seen", |sheet, [x, y]| {
         let ring = [
@@ -176,8 +192,8 @@ pub(super) fn cells(sheet: &mut Sheet, grid: &Grid, all: &[Cells], options: &Cov
     });
 }
 
-fn bar(sheet: &mut Sheet, column: &mut Column, label: &str, range: Range) {
-    column.colours(sheet, label, [range.low, range.high], ramp);
+fn bar(sheet: &mut Sheet, column: &mut Column, label: &str, range: Range, step: f64) {
+    column.colours_in_steps(sheet, label, [range.low, range.high], step, ramp);
     if range.more {
         column.note(sheet, &["1 % of the cells have", "more than that."]);
         column.gap();

@@ -8,7 +8,7 @@ use super::cells::{Cells, cells};
 use super::flights::Flights;
 use super::grid::{Grid, Seen};
 use super::map::{Column, LEGEND};
-use super::palette::series;
+use super::palette::{dashes, series};
 use super::quantity::{Curve, without};
 use super::sheet::{HEAD, Sheet};
 use super::source::{Source, Sources};
@@ -278,14 +278,14 @@ fn over_time(sheet: &mut Sheet, groups: &[Group], runs: &[Run]) {
         let line: Vec<_> = line.collect();
         match line.as_slice() {
             [one] => sheet.disc(*one, 4.0, ink, 0.0),
-            _ => sheet.line(line, ink, 2.2),
+            _ => sheet.line_with(line, ink, 2.2, dashes(place)),
         }
         if groups.len() > 1 {
             let name = match group.runs.len() {
                 1 => group.name.clone(),
                 n => format!("{} ({n})", group.name),
             };
-            column.line(sheet, ink, 2.4, &name);
+            column.line_with(sheet, ink, 2.4, dashes(place), &name);
         }
     }
 }

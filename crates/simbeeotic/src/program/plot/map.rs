@@ -249,8 +249,25 @@ impl Column {
 
     /// What a line's colour says.
     pub(super) fn line(&mut self, sheet: &mut Sheet, ink: Ink, width: f64, text: &str) {
+        self.line_with(sheet, ink, width, None, text);
+    }
+
+    /// The same of a line that may be dashed.
+    pub(super) fn line_with(
+        &mut self,
+        sheet: &mut Sheet,
+        ink: Ink,
+        width: f64,
+        dash: Option<[f64; 2]>,
+        text: &str,
+    ) {
         let y = self.y - 5.0;
-        sheet.line(vec![[self.left, y], [self.left + 24.0, y]], ink, width);
+        sheet.line_with(
+            vec![[self.left, y], [self.left + 24.0, y]],
+            ink,
+            width,
+            dash,
+        );
         self.beside_mark(sheet, text);
     }
 
@@ -289,7 +306,19 @@ impl Column {
         &mut self,
         sheet: &mut Sheet,
         label: &str,
+        ends: [f64; 2],
+        ink: impl Fn(f64) -> Ink,
+    ) {
+        self.colours_in_steps(sheet, label, ends, 0.0, ink);
+    }
+
+    /// The same with numbers that are no closer than a step: of counts one.
+    pub(super) fn colours_in_steps(
+        &mut self,
+        sheet: &mut Sheet,
+        label: &str,
         [low, high]: [f64; 2],
+        step: f64,
         ink: impl Fn(f64) -> Ink,
     ) {
         self.say(sheet, label, TEXT);
@@ -300,7 +329,8 @@ impl Column {
         let share = |part: u32| (f64::from(part) + 0.5) / f64::from(parts);
         let inks = (0..parts).rev().map(|part| ink(share(part))).collect();
         sheet.cells([left, y, left + wide, y + tall], 1, inks);
-        let axis = Axis::exact("", low, high, 4.0);
+        let mut axis = Axis::exact("", low, high, 4.0);
+        axis.step = axis.step.max(step);
         for (value, text) in axis.ticks() {
             let at = y + tall * (1.0 - (value - axis.low) / (axis.high - axis.low));
             sheet.line(vec![[left + wide, at], [left + wide + 5.0, at]], TEXT, 1.0);

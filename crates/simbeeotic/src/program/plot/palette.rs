@@ -19,6 +19,16 @@ pub(crate) fn series(place: usize) -> Ink {
     Ink::new(SERIES.get(place).copied().unwrap_or([0x99; 3]))
 }
 
+/// Dash and gap of means that are held against each other, in the order of use, so that they are told apart without
+/// colours; none: drawn through.
+const DASHES: [Option<[f64; 2]>; 4] =
+    [None, Some([11.0, 4.0]), Some([3.0, 3.0]), Some([18.0, 5.0])];
+
+/// The dashes of a series.
+pub(crate) fn dashes(place: usize) -> Option<[f64; 2]> {
+    DASHES[place % DASHES.len()]
+}
+
 /// From little (light orange) to all (dark blue): lightness falls all the way, so that it reads in grey.
 const RAMP: [[f64; 3]; 5] = [
     [248.0, 190.0, 110.0],

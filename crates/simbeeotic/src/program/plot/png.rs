@@ -15,12 +15,14 @@ pub(crate) fn png(sheet: &Sheet) -> Option<Vec<u8>> {
     pixels.encode_png().ok()
 }
 
-/// Cells as a PNG of one pixel each; `None` of no cells.
-pub(super) fn cells(columns: u32, inks: &[Ink]) -> Option<Vec<u8>> {
+/// Cells as a PNG of so many pixels by so many each; `None` of no cells.
+pub(super) fn cells(columns: u32, inks: &[Ink], each: u32) -> Option<Vec<u8>> {
     let rows = u32::try_from(inks.len()).ok()?.checked_div(columns)?;
-    let mut pixels = Pixmap::new(columns, rows)?;
-    for (pixel, ink) in pixels.pixels_mut().iter_mut().zip(inks) {
-        *pixel = premultiplied(*ink);
+    let mut pixels = Pixmap::new(columns.checked_mul(each)?, rows.checked_mul(each)?)?;
+    let wide = columns * each;
+    for (at, pixel) in (0..).zip(pixels.pixels_mut()) {
+        let (row, column) = (at / wide / each, at % wide / each);
+        *pixel = premultiplied(inks[(row * columns + column) as usize]);
     }
     pixels.encode_png().ok()
 }

@@ -7,7 +7,7 @@ use super::band::{Mean, averaged, means, of_seeds, times};
 use super::limits::Limits;
 use super::lines::simplified;
 use super::map::{Column, LEGEND};
-use super::palette::series;
+use super::palette::{dashes, series};
 use super::quantity::{Curve, Quantity, read};
 use super::sheet::{HEAD, Ink, Sheet, TEXT};
 use super::source::Sources;
@@ -17,13 +17,16 @@ use super::traces::COLOURS;
 /// More lines than these are drawn as a band, unless all are asked for.
 const LINES_MAX: usize = COLOURS;
 
+/// Dash and gap of what was true, pixels.
+const TRUTH: [f64; 2] = [5.0, 4.0];
+
 /// A line of the picture, or a mean with its band.
 struct Drawn {
     name: String,
     ink: Ink,
     alpha: f64,
     width: f64,
-    dashed: bool,
+    dash: Option<[f64; 2]>,
     holds: bool,
     means: Vec<Mean>,
     /// Which quantity it is of.
@@ -94,7 +97,7 @@ fn one(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure> {
                     ink: if dashed { TEXT } else { ink },
                     alpha: 1.0,
                     width: if dashed { 1.2 } else { 2.2 },
-                    dashed,
+                    dash: dashed.then_some(TRUTH),
                     holds: false,
                     means: within(means, quantity.limits(), &mut cut),
                     quantity: at,
@@ -187,7 +190,7 @@ fn line_of(
         ink,
         alpha,
         width,
-        dashed,
+        dash: dashed.then_some(TRUTH),
         holds: curve.holds,
         means: curve.points.iter().map(mean).collect(),
         quantity,
@@ -293,7 +296,11 @@ fn several(sources: &Sources, options: &SeriesOptions) -> Result<Lines, Failure>
                 ink,
                 alpha: 1.0,
                 width: 2.2,
-                dashed: false,
+                dash: dashes(if alone {
+                    place
+                } else {
+                    place * heads.len() + at
+                }),
                 holds: false,
                 means: means(&runs, &times, kind),
                 quantity: at,
@@ -400,10 +407,8 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
                     column.say(sheet, "...", TEXT);
                     break;
                 }
-                match line.dashed {
-                    true => column.dashes(sheet, line.ink, &line.name),
-                    false => column.line(sheet, line.ink, 2.4, &line.name),
-                }
+                let width = if line.dash == Some(TRUTH) { 1.3 } else { 2.4 };
+                column.line_with(sheet, line.ink, width, line.dash, &line.name);
             }
         }
     }
@@ -468,10 +473,9 @@ impl Drawn {
         }
         let points = simplified(&points, 0.25);
         let ink = self.ink.thin(self.alpha);
-        match (points.as_slice(), self.dashed) {
-            ([one], _) => sheet.disc(*one, 3.5, ink, 0.0),
-            (_, true) => sheet.dashed(points, ink, self.width, [5.0, 4.0]),
-            (_, false) => sheet.line(points, ink, self.width),
+        match points.as_slice() {
+            [one] => sheet.disc(*one, 3.5, ink, 0.0),
+            _ => sheet.line_with(points, ink, self.width, self.dash),
         }
     }
 }

@@ -185,6 +185,22 @@ impl Sheet {
         });
     }
 
+    /// A line that is drawn through or dashed.
+    pub(crate) fn line_with(
+        &mut self,
+        points: Vec<[f64; 2]>,
+        ink: Ink,
+        width: f64,
+        dash: Option<[f64; 2]>,
+    ) {
+        self.shapes.push(Shape::Line {
+            points,
+            ink,
+            width,
+            dash,
+        });
+    }
+
     pub(crate) fn dashed(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64, dash: [f64; 2]) {
         self.shapes.push(Shape::Line {
             points,

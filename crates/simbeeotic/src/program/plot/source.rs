@@ -178,6 +178,11 @@ impl Source {
         }
     }
 
+    /// Whether both have the same trace.
+    pub(super) fn flew_as(&self, other: &Self) -> bool {
+        self.trace.is_some() && self.trace == other.trace
+    }
+
     /// The links, period by period.
     pub(super) fn links(&self) -> Result<Vec<Links>, Failure> {
         let links = self.recording.links_in(self.times_ns.clone());

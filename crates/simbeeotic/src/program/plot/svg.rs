@@ -51,10 +51,17 @@ impl Canvas for Svg<'_> {
 
     /// A picture in the picture.
     fn cells(&mut self, edges: [f64; 4], columns: u32, inks: &[Ink]) {
-        let Some(png) = png::cells(columns, inks) else {
+        let [left, top, right, bottom] = edges;
+        // Viewers that smooth pixels must not smooth large cells.
+        let wide = (right - left) / f64::from(columns.max(1));
+        let each = if wide >= 4.0 {
+            wide.min(64.0).round() as u32
+        } else {
+            1
+        };
+        let Some(png) = png::cells(columns, inks, each) else {
             return;
         };
-        let [left, top, right, bottom] = edges;
         let _ = writeln!(
             self.0,
             "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \

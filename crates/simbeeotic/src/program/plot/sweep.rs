@@ -43,6 +43,7 @@ pub(super) fn groups<'a>(
         }
     }
     groups.sort_by_key(|group| natural(&group.name));
+    groups.iter().for_each(Group::doubt);
     Ok(groups)
 }
 
@@ -65,6 +66,30 @@ pub(super) fn map_groups<'a>(
 }
 
 impl Group<'_> {
+    /// Says what is odd about runs that are taken together: other scenarios, or the same flights.
+    fn doubt(&self) {
+        let mut names: Vec<String> = self.runs.iter().map(|run| run.name()).collect();
+        names.sort();
+        names.dedup();
+        if names.len() > 1 {
+            remark(format!(
+                "note: runs of {} scenarios are taken together: {}",
+                names.len(),
+                names.join(", ")
+            ));
+        }
+        for (at, run) in self.runs.iter().enumerate() {
+            if let Some(other) = self.runs[..at].iter().find(|other| other.flew_as(run)) {
+                remark(format!(
+                    "note: {} and {} flew alike to the last bit, with other scenarios: what differs changes nothing",
+                    other.file(),
+                    run.file()
+                ));
+                return;
+            }
+        }
+    }
+
     /// How many seeds its runs have, if there are several runs of each.
     pub(super) fn seeds(&self) -> Option<usize> {
         let mut seeds: Vec<Option<u64>> =
