@@ -109,15 +109,19 @@ impl Packer {
                 color: Some(color_of(stage.ground)),
             });
         }
+        let mut metadata = vec![
+            pair("kind", "ground"),
+            pair("color", &hex(stage.ground)),
+            pair("plane", &stage.plane.to_string()),
+            pair("radius_m", &stage.radius_m.to_string()),
+        ];
+        if !stage.texture.is_empty() {
+            metadata.push(pair("texture", &stage.texture));
+        }
         SceneEntity {
             frame_id: WORLD_FRAME.to_owned(),
             id: "ground".to_owned(),
-            metadata: vec![
-                pair("kind", "ground"),
-                pair("color", &hex(stage.ground)),
-                pair("plane", &stage.plane.to_string()),
-                pair("radius_m", &stage.radius_m.to_string()),
-            ],
+            metadata,
             cubes,
             ..SceneEntity::default()
         }

@@ -69,12 +69,14 @@ fn any_stage() -> impl Strategy<Value = Stage> {
         });
     (
         any::<[u8; 4]>(),
+        prop_oneof![Just(""), Just("grass"), Just("./wood")],
         0.0..1e5,
         any::<bool>(),
         prop::collection::vec(prop, 0..12),
     )
-        .prop_map(|(ground, radius_m, plane, props)| Stage {
+        .prop_map(|(ground, texture, radius_m, plane, props)| Stage {
             ground,
+            texture: texture.to_owned(),
             radius_m,
             plane,
             props,

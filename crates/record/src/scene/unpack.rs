@@ -19,6 +19,7 @@ pub(crate) fn stage_of(scene: &SceneUpdate) -> Stage {
             stage.plane = value(meta, 2, "plane") == Some("true");
             let radius = value(meta, 3, "radius_m").and_then(|text| text.parse().ok());
             stage.radius_m = radius.filter(|r: &f64| r.is_finite()).unwrap_or_default();
+            stage.texture = value(meta, 4, "texture").unwrap_or_default().to_owned();
             continue;
         }
         props(entity, &mut meshes, &mut stage.props);

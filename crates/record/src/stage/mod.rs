@@ -22,6 +22,8 @@ use std::sync::Arc;
 pub struct Stage {
     /// The colour of the plane `z = 0`: red, green, blue, opacity, 0 to 255 each.
     pub ground: [u8; 4],
+    /// The picture on that plane: the name of a texture as in [`Prop::texture`]; empty for none.
+    pub texture: String,
     /// How far the world reaches from the origin, m. It bounds views, not flight.
     pub radius_m: f64,
     /// Whether `z = 0` is solid ground, as it is where there is no terrain.

@@ -5,7 +5,7 @@ use super::{Form, Piece, Prop, Stage, textures};
 use simbeeotic_model::objects;
 use simbeeotic_model::physics::Shape;
 use simbeeotic_model::units::glam::{DQuat, DVec3};
-use simbeeotic_model::world::{Color, Light, Object, Solid, SolidShape, Source, World};
+use simbeeotic_model::world::{Color, Light, Object, Solid, SolidShape, Source, Texture, World};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ impl Stage {
             kind: object.id.kind.name().to_owned(),
             label: object.label.to_owned(),
             color: rgba(object.color),
-            texture: object.texture.map(textures::name_of).unwrap_or_default(),
+            texture: name(object.texture),
             pieces: (object.solids.iter())
                 .flat_map(|solid| meshes.pieces(solid))
                 .collect(),
@@ -51,11 +51,17 @@ impl Stage {
         props.extend(world.sources.iter().map(source));
         Self {
             ground: rgba(world.ground.color),
+            texture: name(world.ground.texture.as_ref()),
             radius_m: world.radius.get(),
             plane: world.terrain.is_none(),
             props,
         }
     }
+}
+
+/// The name of a texture; empty for none.
+fn name(texture: Option<&Texture>) -> String {
+    texture.map(textures::name_of).unwrap_or_default()
 }
 
 /// What a body looks like, in its own frame (FLU). A plane without end is a square of 100 m.

@@ -32,7 +32,9 @@ pub fn textures(world: &World) -> (Vec<Attachment>, Vec<String>) {
     let obstacles = world.obstacles.iter().map(|o| &o.texture);
     let structures = world.structures.iter().map(|s| &s.texture);
     let terrain = world.terrain.iter().map(|t| &t.texture);
-    let mut named: Vec<(&str, String)> = (obstacles.chain(structures).chain(terrain).flatten())
+    let ground = std::iter::once(&world.ground.texture);
+    let all = obstacles.chain(structures).chain(terrain).chain(ground);
+    let mut named: Vec<(&str, String)> = (all.flatten())
         .filter_map(|texture| match texture {
             Texture::File(file) => Some((file.as_str(), name_of(texture))),
             Texture::Builtin(_) => None,
@@ -102,10 +104,12 @@ mod tests {
         let png = b"\x89PNG, it says".as_slice();
         std::fs::write(folder.path().join("pictures/a.png"), png).expect("written");
         std::fs::write(folder.path().join("brick"), b"\xff\xd8\xff").expect("written");
-        let world = world(
+        std::fs::write(folder.path().join("lawn.jpg"), b"\xff\xd8\xff").expect("written");
+        let mut world = world(
             folder.path(),
             &["pictures/a.png", "brick", "pictures/a.png"],
         );
+        world.ground.texture = Some(Texture::File("lawn.jpg".to_owned()));
 
         let (files, notes) = textures(&world);
         let names: Vec<_> = (files.iter())
@@ -115,13 +119,15 @@ mod tests {
             names,
             [
                 ("textures/./brick", "image/jpeg"),
+                ("textures/lawn.jpg", "image/jpeg"),
                 ("textures/pictures/a.png", "image/png")
             ]
         );
         assert_eq!(notes, [""; 0]);
         let stage = Stage::of(&world, 1);
-        for prop in &stage.props {
-            let name = format!("{TEXTURES}{}", prop.texture);
+        let on_things = stage.props.iter().map(|prop| &prop.texture);
+        for texture in on_things.chain([&stage.texture]) {
+            let name = format!("{TEXTURES}{texture}");
             assert!(files.iter().any(|file| file.name == name), "{name}");
         }
     }

@@ -47,6 +47,7 @@ fn meadow(flowers: usize) -> Stage {
     };
     Stage {
         ground: [20, 70, 30, 255],
+        texture: "grass".to_owned(),
         radius_m: 123.25,
         plane: true,
         props: std::iter::once(tower)

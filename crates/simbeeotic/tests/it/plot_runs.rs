@@ -24,6 +24,7 @@ fn stage() -> Stage {
     };
     Stage {
         ground: [120, 150, 90, 255],
+        texture: String::new(),
         radius_m: 100.0,
         plane: true,
         props: vec![Prop {

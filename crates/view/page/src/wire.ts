@@ -28,6 +28,8 @@ export interface Prop {
 
 export interface Stage {
   ground: string;
+  /** The picture on the ground, as that of a prop; empty for none. */
+  texture?: string;
   plane: boolean;
   radius_m: number;
   props: Prop[];

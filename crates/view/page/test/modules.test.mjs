@@ -127,6 +127,58 @@ test("a live run is drawn between its two newest frames, and thanks once for eac
   assert.deepEqual(sent, [{ type: "got", time_s: 1 }, { type: "got", time_s: 2 }]);
 });
 
+test("a live run moves evenly although its frames come early and late, and never back", () => {
+  const player = new live.LivePlayer(() => {});
+  // 33 ms of virtual time each; on the way each takes up to 40 ms longer, and they stay in order.
+  let [state, last] = [7, 0];
+  const late = () => ((state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32) * 40;
+  const arrivals = Array.from({ length: 300 }, (_, k) => [k * 0.033, (last = Math.max(last, k * 33 + late()))]);
+  const steps = [];
+  let [next, shown] = [0, null];
+  for (let now = 0; now < 9500; now += 16) {
+    while (next < arrivals.length && arrivals[next][1] <= now) player.take(frameAt(arrivals[next++][0]), now);
+    const moment = player.advance(now);
+    const t_s = moment ? moment.t_s : shown;
+    assert.ok(shown === null || t_s >= shown, "time does not run back");
+    if (moment) {
+      assert.ok(moment.f >= 0 && moment.f <= 1);
+      assert.ok(Math.abs(moment.a.time + moment.f * (moment.b.time - moment.a.time) - moment.t_s) < 1e-9, "places are those of the time shown");
+    }
+    if (now > 1000 && shown !== null) steps.push((t_s - shown) / 0.016);
+    shown = t_s;
+  }
+  assert.ok(Math.max(...steps) < 1.5, `fastest ${Math.max(...steps)}`);
+  assert.ok(steps.filter((step) => step < 0.5).length < 0.01 * steps.length, `${steps.filter((step) => step < 0.5).length} of ${steps.length} stand still`);
+});
+
+test("a live run that is held comes to rest at its newest frame, and a step leads there and no farther", () => {
+  const player = new live.LivePlayer(() => {});
+  for (let k = 0; k <= 20; k += 1) {
+    player.take(frameAt(k * 0.1), k * 100);
+    player.advance(k * 100 + 5);
+  }
+  for (let now = 2000; player.busy; now += 16) assert.ok(player.advance(now).t_s <= 2 && now < 3000);
+  player.take(frameAt(2.1), 60_000);
+  let seen = [];
+  for (let now = 60_000; player.busy; now += 8) seen.push(player.advance(now).t_s);
+  assert.equal(seen.at(-1), 2.1);
+  assert.ok(seen.length > 2 && seen.length < 20 && seen.some((t) => t > 2 && t < 2.1), String(seen));
+  player.take(frameAt(1), 61_000);
+  const back = player.advance(61_001);
+  assert.ok(back.jumped && back.t_s === 1);
+});
+
+test("packets of a live run are shown when their time has come", () => {
+  const player = new live.LivePlayer(() => {});
+  player.take(frameAt(1), 0);
+  player.advance(1);
+  player.take(frameAt(2), 33);
+  player.hear([{ t: 1.1, from: 0, bytes: 1, to: [] }, { t: 1.9, from: 0, bytes: 1, to: [] }]);
+  const first = player.advance(33 + 16);
+  assert.deepEqual(first.packets.map((p) => p.t), [1.1]);
+  assert.deepEqual(player.advance(33 + 200).packets.map((p) => p.t), [1.9]);
+});
+
 /** A replay of `count` ticks, and the program that answers it: at once, when told to. */
 function replayed(count, period_s) {
   const ticks_s = Array.from({ length: count }, (_, k) => k * period_s);

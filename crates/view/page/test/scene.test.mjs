@@ -39,9 +39,15 @@ test("between two attitudes it goes the short way round, whatever their signs", 
   const to = [Math.cos(0.2), 0, 0, Math.sin(0.2)];
   const minus = to.map((x) => -x);
   const between = [Math.cos(0.1), 0, 0, Math.sin(0.1)];
-  near(math.nlerp([1, 0, 0, 0], to, 0.5), between);
-  near(math.nlerp([1, 0, 0, 0], minus, 0.5), between);
-  near(math.nlerp([0, 0, 0, 0], [0, 0, 0, 0], 0.5), [1, 0, 0, 0]);
+  near(math.slerp([1, 0, 0, 0], to, 0.5), between);
+  near(math.slerp([1, 0, 0, 0], minus, 0.5), between);
+  near(math.slerp([0, 0, 0, 0], [0, 0, 0, 0], 0.5), [1, 0, 0, 0]);
+});
+
+test("between two attitudes it turns at an even rate", () => {
+  const at = (angle) => [Math.cos(angle / 2), 0, 0, Math.sin(angle / 2)];
+  for (const f of [0, 0.25, 0.5, 0.9, 1]) near(math.slerp(at(0), at(2.8), f), at(2.8 * f));
+  near(math.slerp(at(1), at(1.01), 0.3), at(1.003));
 });
 
 test("x can be turned into every direction, backwards too", () => {

@@ -75,6 +75,7 @@ fn stage() -> Stage {
     let ball = Form::Sphere { radius_m: 0.8 };
     Stage {
         ground: [125, 163, 106, 255],
+        texture: String::new(),
         radius_m: 100.0,
         plane: true,
         props: vec![

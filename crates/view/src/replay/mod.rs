@@ -150,6 +150,7 @@ impl Source for Replay {
 fn empty() -> Stage {
     Stage {
         ground: [0x7d, 0xa3, 0x6a, 0xff],
+        texture: String::new(),
         radius_m: 10_000.0,
         plane: true,
         props: Vec::new(),

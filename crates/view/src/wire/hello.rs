@@ -97,7 +97,7 @@ impl Hello<'_> {
                 "colors": of(|v| colour(seen(v.color)).into()),
                 "looks": looks,
             },
-            "stage": { "ground": colour(self.stage.ground), "plane": self.stage.plane,
+            "stage": { "ground": colour(self.stage.ground), "texture": self.stage.texture, "plane": self.stage.plane,
                 "radius_m": self.stage.radius_m, "props": props },
         });
         if let Some(table) = hello.as_object_mut() {
@@ -272,6 +272,7 @@ mod tests {
         ];
         let stage = Stage {
             ground: [1, 2, 3, 255],
+            texture: "grass".to_owned(),
             radius_m: 100.0,
             plane: true,
             props: vec![Prop {
@@ -310,7 +311,7 @@ mod tests {
             "forms": [{ "sphere": 0.25 },
                 { "mesh": { "points": [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
                     "triangles": [0, 1, 2] } }],
-            "stage": { "ground": "#010203", "plane": true, "radius_m": 100.0, "props": [
+            "stage": { "ground": "#010203", "texture": "grass", "plane": true, "radius_m": 100.0, "props": [
                 { "kind": "obstacle", "label": "", "color": "#000000", "texture": "",
                     "pieces": [at_origin(1)], "meta": { "a": "b" } }] },
         });

@@ -1,5 +1,6 @@
-// A run as it goes on: the two newest frames, and between them by the wall clock. What is shown is thus one
-// frame behind, and moves evenly although frames come ten or thirty times a second.
+// A run as it goes on. Frames come ten or thirty times a second, some early, some late; what is shown runs evenly
+// behind the newest, as far as they have lately been late, and never back. It has a clock of its own, which is only
+// ever drawn towards where it ought to be.
 
 import type { Frame, Packet, PageMessage } from "../wire";
 import type { Moment, Player } from "./index";
@@ -7,12 +8,23 @@ import type { Moment, Player } from "./index";
 /** Frames that come later than this are a new beginning, not the next step of a motion. */
 const LONGEST_STRIDE_MS = 1000;
 const USUAL_STRIDE_MS = 33;
+/** Means are of the last few frames: each takes this part of the newest. */
+const NEW = 0.15;
+/** How soon the clock is where it ought to be. */
+const SETTLE_MS = 250;
+/** Farther behind than so many strides it does not catch up: it jumps. */
+const FARTHEST_STRIDES = 6;
 
 export class LivePlayer implements Player {
-  private a: Frame | null = null;
-  private b: Frame | null = null;
+  /** In the order of time; what is shown lies between the first two, or at the last. */
+  private queue: Frame[] = [];
+  private shown_s = 0;
   private arrived_ms = 0;
+  private advanced_ms = 0;
+  /** Wall time between frames, how much single ones are off, and virtual time between them: means. */
   private stride_ms = USUAL_STRIDE_MS;
+  private off_ms = 0;
+  private stride_s = 0;
   private drawn = true;
   private jumped = false;
   private toThank: number[] = [];
@@ -21,7 +33,7 @@ export class LivePlayer implements Player {
   constructor(private readonly send: (message: PageMessage) => void) {}
 
   get frame(): Frame | null {
-    return this.b;
+    return this.queue.at(-1) ?? null;
   }
 
   get busy(): boolean {
@@ -29,16 +41,20 @@ export class LivePlayer implements Player {
   }
 
   take(frame: Frame, now_ms: number): void {
-    const since_ms = now_ms - this.arrived_ms;
-    if (since_ms > LONGEST_STRIDE_MS) {
-      this.stride_ms = USUAL_STRIDE_MS;
+    const before = this.frame;
+    if (this.drawn || this.stride_s === 0) this.advanced_ms = now_ms;
+    if (!before || frame.time < before.time || frame.n !== before.n) {
+      this.jumped = before !== null;
+      this.queue = [frame];
+      this.shown_s = frame.time;
+      this.stride_s = 0;
+    } else if (frame.time === before.time) {
+      // The same instant once more, in other colours.
+      this.queue[this.queue.length - 1] = frame;
     } else {
-      // A mean of the last few: the network and the garbage collector make single frames late.
-      this.stride_ms += 0.2 * (Math.max(since_ms, 1) - this.stride_ms);
+      this.queue.push(frame);
+      this.measure(frame.time - before.time, now_ms - this.arrived_ms);
     }
-    if (this.b && (frame.time < this.b.time || frame.n !== this.b.n)) this.jumped = true;
-    this.a = this.b && !this.jumped ? this.b : frame;
-    this.b = frame;
     this.arrived_ms = now_ms;
     this.drawn = false;
     this.toThank.push(frame.time);
@@ -49,22 +65,54 @@ export class LivePlayer implements Player {
   }
 
   advance(now_ms: number): Moment | null {
-    if (!this.a || !this.b || this.drawn) return null;
-    const f = Math.min(1, (now_ms - this.arrived_ms) / this.stride_ms);
-    this.drawn = f >= 1;
-    const moment = {
-      a: this.a,
-      b: this.b,
-      f,
-      t_s: this.a.time + f * (this.b.time - this.a.time),
-      jumped: this.jumped,
-      packets: this.packets,
-    };
+    const newest = this.frame;
+    if (!newest || this.drawn) return null;
+    this.walk(newest, now_ms);
+    const { queue, shown_s } = this;
+    while (queue.length > 2 && queue[1]!.time <= shown_s) queue.shift();
+    const a = queue[0]!;
+    const b = queue[1] ?? a;
+    this.drawn = shown_s >= newest.time;
+    const f = b.time > a.time ? Math.min(1, (shown_s - a.time) / (b.time - a.time)) : 0;
+    const moment = { a, b, f, t_s: shown_s, jumped: this.jumped, packets: this.packetsUntil(this.drawn ? Infinity : shown_s) };
     this.jumped = false;
-    this.packets = [];
     // Only what was drawn is answered: a page in the background is sent no more.
     for (const time_s of this.toThank) this.send({ type: "got", time_s });
-    this.toThank = [];
+    this.toThank.length = 0;
     return moment;
+  }
+
+  private measure(stride_s: number, since_ms: number): void {
+    if (since_ms > LONGEST_STRIDE_MS || this.stride_s === 0) {
+      // The first step after a rest is as long as steps usually are, however long the rest was.
+      this.stride_s = stride_s;
+      if (since_ms > LONGEST_STRIDE_MS) [this.stride_ms, this.off_ms] = [USUAL_STRIDE_MS, 0];
+      return;
+    }
+    this.off_ms += NEW * (Math.abs(since_ms - this.stride_ms) - this.off_ms);
+    this.stride_ms += NEW * (Math.max(since_ms, 1) - this.stride_ms);
+    this.stride_s += NEW * (stride_s - this.stride_s);
+  }
+
+  /** Moves the clock of what is shown. */
+  private walk(newest: Frame, now_ms: number): void {
+    const passed_ms = Math.max(0, now_ms - this.advanced_ms);
+    this.advanced_ms = now_ms;
+    const rate = this.stride_s / this.stride_ms;
+    // One stride behind, and as much more as frames have lately been off.
+    const behind_ms = this.stride_ms + Math.min(2 * this.off_ms, 2 * this.stride_ms);
+    const due_s = newest.time + rate * (now_ms - this.arrived_ms - behind_ms);
+    let next_s = this.shown_s + rate * passed_ms;
+    next_s += (due_s - next_s) * (1 - Math.exp(-passed_ms / SETTLE_MS));
+    if (due_s - next_s > FARTHEST_STRIDES * this.stride_s) next_s = due_s;
+    this.shown_s = Math.min(Math.max(next_s, this.shown_s), newest.time);
+  }
+
+  /** Packets are shown when their time has come. */
+  private packetsUntil(t_s: number): Packet[] {
+    if (this.packets.length === 0) return this.packets;
+    const due = this.packets.filter((packet) => packet.t <= t_s);
+    if (due.length > 0) this.packets = this.packets.filter((packet) => packet.t > t_s);
+    return due;
   }
 }

@@ -202,6 +202,12 @@ export class Orbit {
     this.goal.flat = name === "orbit" ? 0 : 1;
   }
 
+  /** Seen from so far above the target, rad, at once. */
+  raise(elevation: number): void {
+    this.goal.elevation = elevation;
+    this.lastOrbit = [this.goal.azimuth, elevation];
+  }
+
   /** All points within sight, from the direction that it looks from now. `margin`: m around each. */
   fit(points: Iterable<Vec3>, margin: number, at_once: boolean): void {
     const axes = this.axes(this.goal);

@@ -55,11 +55,15 @@ export function matrixOf(piece: Piece, size: THREE.Vector3): THREE.Matrix4 {
   return new THREE.Matrix4().compose(new THREE.Vector3(...piece.at), new THREE.Quaternion(x, y, z, w).normalize(), size);
 }
 
+/** How many triangles a form has: few, some, many. */
+export type Fineness = 0 | 1 | 2;
+
 /** A form of size 1: forms with the same `key` differ only in `size`. */
 export interface Outline {
   key: string;
   size: THREE.Vector3;
-  make(fine: boolean): THREE.BufferGeometry;
+  /** With few (0), some (1) or many (2) triangles. */
+  make(fine: Fineness): THREE.BufferGeometry;
 }
 
 function upright(g: THREE.BufferGeometry): THREE.BufferGeometry {
@@ -70,7 +74,7 @@ function upright(g: THREE.BufferGeometry): THREE.BufferGeometry {
 export function outlineOf(form: Form, number: number): Outline | null {
   if ("sphere" in form) {
     const r = form.sphere;
-    return { key: "sphere", size: new THREE.Vector3(r, r, r), make: (fine) => upright(new THREE.SphereGeometry(1, fine ? 28 : 12, fine ? 18 : 8)) };
+    return { key: "sphere", size: new THREE.Vector3(r, r, r), make: (fine) => upright(new THREE.SphereGeometry(1, [6, 12, 28][fine], [4, 8, 18][fine])) };
   }
   if ("box" in form) {
     return { key: "box", size: new THREE.Vector3(...form.box), make: () => new THREE.BoxGeometry(2, 2, 2) };
@@ -83,7 +87,7 @@ export function outlineOf(form: Form, number: number): Outline | null {
     return {
       key: `cylinder ${f} ${t}`,
       size: new THREE.Vector3(r, r, half),
-      make: (fine) => upright(new THREE.CylinderGeometry(t, f, 2, fine ? 32 : 10)),
+      make: (fine) => upright(new THREE.CylinderGeometry(t, f, 2, [6, 10, 32][fine])),
     };
   }
   if ("capsule" in form) {
@@ -93,7 +97,7 @@ export function outlineOf(form: Form, number: number): Outline | null {
     return {
       key: `capsule ${ratio}`,
       size: new THREE.Vector3(r, r, r),
-      make: (fine) => upright(new THREE.CapsuleGeometry(1, 2 * ratio, fine ? 8 : 4, fine ? 24 : 10)),
+      make: (fine) => upright(new THREE.CapsuleGeometry(1, 2 * ratio, [2, 4, 8][fine], [6, 10, 24][fine])),
     };
   }
   const { points, triangles } = form.mesh;
@@ -117,7 +121,7 @@ export function meshOf(points: number[], triangles: number[], smooth: boolean): 
 }
 
 /** Pieces as one geometry in the frame they stand in; null if there is nothing to see. */
-export function bodyOf(pieces: Piece[], forms: Form[], fine: boolean): THREE.BufferGeometry | null {
+export function bodyOf(pieces: Piece[], forms: Form[], fine: Fineness): THREE.BufferGeometry | null {
   const soup: Soup = { position: [], normal: [], tint: [] };
   for (const piece of pieces) {
     const form = forms[piece.form];
@@ -130,54 +134,26 @@ export function bodyOf(pieces: Piece[], forms: Form[], fine: boolean): THREE.Buf
 const at = (x: number, y: number, z: number, sx = 1, sy = 1, sz = 1): THREE.Matrix4 =>
   new THREE.Matrix4().makeTranslation(x, y, z).scale(new THREE.Vector3(sx, sy, sz));
 
-/** A flyer of radius 1, nose along x: a striped body, a light face, four rotors. About 300 triangles, or 70. */
-export function flyer(fine: boolean): THREE.BufferGeometry {
+/** A flyer of radius 1, nose along x: a striped body, a light face, four rotors on their arms. About 330 triangles. */
+export function flyer(): THREE.BufferGeometry {
   const soup: Soup = { position: [], normal: [], tint: [] };
   const dark = [0.08, 0.08, 0.1, 0.85];
-  const body = new THREE.SphereGeometry(1, fine ? 10 : 5, fine ? 12 : 5).rotateZ(-Math.PI / 2);
+  const body = new THREE.SphereGeometry(1, 10, 12).rotateZ(-Math.PI / 2);
   const stripes = (x: number): readonly number[] =>
-    x > (fine ? 0.72 : 0.7) ? [1, 1, 0.97, 0.92] : fine && x < 0.42 && Math.floor((x + 1) * 4.2) % 2 === 0 ? dark : OWN;
+    x > 0.72 ? [1, 1, 0.97, 0.92] : x < 0.42 && Math.floor((x + 1) * 4.2) % 2 === 0 ? dark : OWN;
   put(soup, body, at(0.02, 0, 0, 0.62, 0.3, 0.27), stripes);
   for (const [x, y] of [[1, 1], [1, -1], [-1, 1], [-1, -1]] as const) {
     const tip = [x * 0.52, y * 0.56] as const;
-    if (fine) {
-      const m = new THREE.Matrix4()
-        .makeTranslation(tip[0] / 2, tip[1] / 2, 0.1)
-        .multiply(new THREE.Matrix4().makeRotationZ(Math.atan2(tip[1], tip[0])))
-        .scale(new THREE.Vector3(Math.hypot(...tip), 0.06, 0.06));
-      put(soup, new THREE.BoxGeometry(1, 1, 1), m, dark);
-    }
+    const arm = new THREE.Matrix4()
+      .makeTranslation(tip[0] / 2, tip[1] / 2, 0.1)
+      .multiply(new THREE.Matrix4().makeRotationZ(Math.atan2(tip[1], tip[0])))
+      .scale(new THREE.Vector3(Math.hypot(...tip), 0.06, 0.06));
+    put(soup, new THREE.BoxGeometry(1, 1, 1), arm, dark);
     // Rotors in front are lighter than those behind: the way it flies is seen from far.
-    const rotor = new THREE.CircleGeometry(0.33, fine ? 14 : 6);
-    put(soup, rotor, at(tip[0], tip[1], 0.17), x > 0 ? [1, 1, 1, 0.3] : [0.04, 0.04, 0.05, 0.35]);
+    put(soup, new THREE.CircleGeometry(0.33, 14), at(tip[0], tip[1], 0.17), x > 0 ? [1, 1, 1, 0.3] : [0.04, 0.04, 0.05, 0.35]);
+    const rim = new THREE.RingGeometry(0.29, 0.335, 14);
+    put(soup, rim, at(tip[0], tip[1], 0.175), [0.05, 0.06, 0.08, 0.8]);
   }
-  return finish(soup);
-}
-
-/** The same from afar: a dart, nose along x, with wings. 10 triangles. */
-export function dart(): THREE.BufferGeometry {
-  const soup: Soup = { position: [], normal: [], tint: [] };
-  const face = (a: number[], b: number[], c: number[], tint: readonly number[]): void => {
-    const [va, vb, vc] = [a, b, c].map((p) => new THREE.Vector3(...p)) as [THREE.Vector3, THREE.Vector3, THREE.Vector3];
-    const n = vb.clone().sub(va).cross(vc.clone().sub(va)).normalize();
-    for (const p of [va, vb, vc]) {
-      soup.position.push(p.x, p.y, p.z);
-      soup.normal.push(n.x, n.y, n.z);
-      soup.tint.push(...tint);
-    }
-  };
-  const [nose, top, bottom, tail] = [[1.1, 0, 0], [-0.15, 0, 0.36], [-0.15, 0, -0.3], [-0.55, 0, 0]];
-  const [left, right] = [[-0.75, 0.72, 0.05], [-0.75, -0.72, 0.05]];
-  const light = [1, 1, 1, 0.2];
-  const shade = [0, 0, 0, 0.35];
-  face(nose!, left!, top!, light);
-  face(nose!, top!, right!, OWN);
-  face(nose!, bottom!, left!, shade);
-  face(nose!, right!, bottom!, shade);
-  face(top!, left!, tail!, OWN);
-  face(top!, tail!, right!, OWN);
-  face(bottom!, tail!, left!, shade);
-  face(bottom!, right!, tail!, shade);
   return finish(soup);
 }
 

@@ -5,7 +5,7 @@
 
 import * as THREE from "three";
 import type { Frame, Quat, Vec3 } from "../wire";
-import { nlerp } from "./math";
+import { slerp } from "./math";
 
 const ROW = 128;
 
@@ -81,11 +81,19 @@ export class Frames {
 
   /** Where a vehicle is, world; null before the first frame, or if its place is not finite. */
   place(i: number): Vec3 | null {
+    const p: Vec3 = [0, 0, 0];
+    return this.read(i, p) ? p : null;
+  }
+
+  /** The same, written to `to`; whether there is one. Makes no garbage. */
+  read(i: number, to: Vec3 | Float64Array): boolean {
     const { a, b, f } = this;
-    if (!a || !b || i < 0 || i >= a.n || i >= b.n) return null;
-    const at = (k: number): number => a.positions[3 * i + k]! * (1 - f) + b.positions[3 * i + k]! * f;
-    const p: Vec3 = [at(0), at(1), at(2)];
-    return p.every(Number.isFinite) ? p : null;
+    if (!a || !b || i < 0 || i >= a.n || i >= b.n) return false;
+    const [p, q] = [a.positions, b.positions];
+    to[0] = p[3 * i]! + (q[3 * i]! - p[3 * i]!) * f;
+    to[1] = p[3 * i + 1]! + (q[3 * i + 1]! - p[3 * i + 1]!) * f;
+    to[2] = p[3 * i + 2]! + (q[3 * i + 2]! - p[3 * i + 2]!) * f;
+    return Number.isFinite(to[0]! + to[1]! + to[2]!);
   }
 
   /** From body to world. */
@@ -93,7 +101,7 @@ export class Frames {
     const { a, b, f } = this;
     if (!a || !b || i >= a.n || i >= b.n) return [1, 0, 0, 0];
     const of = (frame: Frame): Quat => [0, 1, 2, 3].map((k) => frame.attitudes[4 * i + k]! / 32767) as Quat;
-    return nlerp(of(a), of(b), f);
+    return slerp(of(a), of(b), f);
   }
 
   dispose(): void {
@@ -127,7 +135,7 @@ precision highp sampler2D;
 precision highp isampler2D;
 uniform sampler2D uPlacesA, uPlacesB, uColours;
 uniform isampler2D uTurnsA, uTurnsB;
-uniform float uF;
+uniform float uF, uFlat;
 uniform mat4 uSee;
 ivec2 cell(float i) { int n = int(i + 0.5); return ivec2(n % ${ROW}, n / ${ROW}); }
 /** Place, and the radius. */
@@ -138,9 +146,16 @@ vec4 placeOf(float i) {
 vec4 turnOf(float i) {
   ivec2 c = cell(i);
   vec4 a = vec4(texelFetch(uTurnsA, c, 0)), b = vec4(texelFetch(uTurnsB, c, 0));
-  vec4 q = mix(a, dot(a, b) < 0.0 ? -b : b, uF);
-  float l = length(q);
-  return l > 0.0 ? q / l : vec4(1.0, 0.0, 0.0, 0.0);
+  float la = length(a), lb = length(b);
+  if (la == 0.0 || lb == 0.0) return vec4(1.0, 0.0, 0.0, 0.0);
+  a /= la;
+  b /= lb;
+  float d = dot(a, b);
+  if (d < 0.0) { b = -b; d = -d; }
+  // At an even rate the short way round; where both are all but the same, straight.
+  if (d > 0.9995) return normalize(mix(a, b, uF));
+  float angle = acos(d);
+  return (a * sin((1.0 - uF) * angle) + b * sin(uF * angle)) / sin(angle);
 }
 vec3 turned(vec4 q, vec3 v) {
   vec3 t = 2.0 * cross(q.yzw, v);

@@ -15,7 +15,15 @@ export interface Shared {
   uEarthLight: THREE.IUniform<THREE.Vector3>;
   uHaze: THREE.IUniform<THREE.Vector3>;
   uZenith: THREE.IUniform<THREE.Vector3>;
-  /** Where haze begins and where nothing else is seen, m from the eye. */
+  /** Lines on the ground. */
+  uLine: THREE.IUniform<THREE.Vector3>;
+  /** The ground from within: below the horizon, and cut through in a view from the side. */
+  uCut: THREE.IUniform<THREE.Vector3>;
+  /** What a shadow leaves of the light on level ground. */
+  uShade: THREE.IUniform<THREE.Vector3>;
+  /** Rims of small things, that keep them apart from what is behind. */
+  uRim: THREE.IUniform<THREE.Vector4>;
+  /** Where haze begins, and the way on which it takes all but a third, m from the eye. */
   uHazeRange: THREE.IUniform<THREE.Vector2>;
   /** Width and height of the picture, and the size of a CSS pixel, in its pixels. */
   uViewport: THREE.IUniform<THREE.Vector3>;
@@ -23,6 +31,8 @@ export interface Shared {
   uWorldTone: THREE.IUniform<number>;
   /** From the world to the picture. */
   uSee: THREE.IUniform<THREE.Matrix4>;
+  /** 1: without perspective. */
+  uFlat: THREE.IUniform<number>;
   /** Wall time, s. */
   uClock: THREE.IUniform<number>;
   uShadow: THREE.IUniform<THREE.Texture | null>;
@@ -48,10 +58,15 @@ export function createShared(dark: boolean): Shared {
     uEarthLight: { value: new THREE.Vector3() },
     uHaze: { value: new THREE.Vector3() },
     uZenith: { value: new THREE.Vector3() },
+    uLine: { value: new THREE.Vector3() },
+    uCut: { value: new THREE.Vector3() },
+    uShade: { value: new THREE.Vector3() },
+    uRim: { value: new THREE.Vector4() },
     uHazeRange: { value: new THREE.Vector2(1e4, 2e4) },
     uViewport: { value: new THREE.Vector3(1, 1, 1) },
     uWorldTone: { value: 1 },
     uSee: { value: new THREE.Matrix4() },
+    uFlat: { value: 0 },
     uClock: { value: 0 },
     uShadow: { value: empty },
     uShadowFrom: { value: new THREE.Matrix4() },
@@ -64,26 +79,37 @@ export function createShared(dark: boolean): Shared {
 
 export function setTheme(shared: Shared, dark: boolean): void {
   if (dark) {
-    shared.uSunLight.value.set(0.62, 0.7, 0.95).multiplyScalar(0.5);
-    shared.uSkyLight.value.set(0.42, 0.52, 0.78).multiplyScalar(0.5);
-    shared.uEarthLight.value.set(0.2, 0.22, 0.27).multiplyScalar(0.5);
-    shared.uHaze.value.copy(rgb("#1a2433"));
-    shared.uZenith.value.copy(rgb("#070b14"));
-    shared.uWorldTone.value = 0.62;
+    shared.uSunLight.value.set(0.36, 0.4, 0.5);
+    shared.uSkyLight.value.set(0.28, 0.33, 0.44);
+    shared.uEarthLight.value.set(0.16, 0.17, 0.2);
+    shared.uHaze.value.copy(rgb("#2a3644"));
+    shared.uZenith.value.copy(rgb("#0a0f18"));
+    shared.uLine.value.copy(rgb("#7d90a6"));
+    shared.uCut.value.copy(rgb("#0f141b"));
+    shared.uRim.value.set(0, 0, 0, 0.75);
+    shared.uWorldTone.value = 0.9;
   } else {
     shared.uSunLight.value.set(0.86, 0.8, 0.69);
     shared.uSkyLight.value.set(0.46, 0.52, 0.6);
-    shared.uEarthLight.value.set(0.25, 0.24, 0.22);
-    shared.uHaze.value.copy(rgb("#dfe8ee"));
-    shared.uZenith.value.copy(rgb("#8fb8de"));
+    shared.uEarthLight.value.set(0.27, 0.26, 0.24);
+    shared.uHaze.value.copy(rgb("#dbe6ee"));
+    shared.uZenith.value.copy(rgb("#7fabd6"));
+    shared.uLine.value.copy(rgb("#3c4a46"));
+    shared.uCut.value.copy(rgb("#b3b9ae"));
+    shared.uRim.value.set(0.02, 0.03, 0.05, 0.75);
     shared.uWorldTone.value = 1;
   }
+  const { x, y, z } = shared.uSkyLight.value;
+  const sun = shared.uSunLight.value;
+  const slope = shared.uSun.value.z;
+  shared.uShade.value.set(x / (x + sun.x * slope), y / (y + sun.y * slope), z / (z + sun.z * slope));
 }
 
 /** What fragment shaders begin with. */
 export const LIGHT = /* glsl */ `
 uniform vec3 uSun, uSunLight, uSkyLight, uEarthLight, uHaze;
 uniform vec2 uHazeRange;
+uniform float uFlat;
 vec3 fromSrgb(vec3 c) { return c * c; }
 vec3 toSrgb(vec3 c) { return sqrt(min(c, 1.0)); }
 /** A matt surface in the sun and under the sky. */
@@ -92,8 +118,7 @@ vec3 lit(vec3 colour, vec3 n, float sun) {
   return colour * (sky + uSunLight * (max(dot(n, uSun), 0.0) * sun));
 }
 vec3 hazed(vec3 colour, float away) {
-  float h = smoothstep(uHazeRange.x, uHazeRange.y, away);
-  return mix(colour, uHaze, h);
+  return mix(uHaze, colour, exp(min((uHazeRange.x - away) / uHazeRange.y, 0.0)));
 }
 `;
 

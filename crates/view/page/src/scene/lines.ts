@@ -29,6 +29,11 @@ void main() {
   b = a + d * head;
   a = a + d * tail;
   if (position.x < 0.5) alpha *= 0.05;
+  #elif defined(STEM)
+  // Down to the ground; what is below it has none.
+  b = vec3(a.xy, 0.0);
+  if (a.z <= 0.0) alpha = 0.0;
+  if (position.x > 0.5) alpha *= 0.7;
   #else
   if (uFade > 0.0) {
     float age = (uNow - (position.x < 0.5 ? times.x : times.y)) / uFade;
@@ -72,6 +77,8 @@ export interface LineOptions {
   fade_s?: number;
   /** They are pulses that run from one end to the other. */
   pulse?: boolean;
+  /** They go from a vehicle down to the ground. */
+  stem?: boolean;
   /** They shine: added to what is behind. */
   shine?: boolean;
   /** Drawn over everything. */
@@ -115,7 +122,7 @@ export class Lines {
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      defines: options.pulse ? { PULSE: 1 } : {},
+      defines: { ...(options.pulse && { PULSE: 1 }), ...(options.stem && { STEM: 1 }) },
       uniforms: {
         ...shared,
         ...frames.uniforms,

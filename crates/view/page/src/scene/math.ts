@@ -66,13 +66,19 @@ export function conjugate(q: Quat): Quat {
   return [q[0], -q[1], -q[2], -q[3]];
 }
 
-/** Linear between two attitudes the short way round, brought back to length 1; what the shader does too. */
-export function nlerp(a: Quat, b: Quat, f: number): Quat {
-  const sign = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] < 0 ? -1 : 1;
+/** Between two attitudes at an even rate the short way round; what the shader does too. */
+export function slerp(a: Quat, b: Quat, f: number): Quat {
+  const [la, lb] = [Math.hypot(...a), Math.hypot(...b)];
+  if (la === 0 || lb === 0) return [1, 0, 0, 0];
+  const d = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]) / (la * lb);
+  const angle = Math.acos(Math.min(1, Math.abs(d)));
+  const close = Math.abs(d) > 0.9995;
+  const x = (close ? 1 - f : Math.sin((1 - f) * angle)) / la;
+  const y = ((close ? f : Math.sin(f * angle)) * (d < 0 ? -1 : 1)) / lb;
   const q: Quat = [0, 0, 0, 0];
-  for (let i = 0; i < 4; i++) q[i] = a[i]! * (1 - f) + sign * b[i]! * f;
+  for (let i = 0; i < 4; i++) q[i] = a[i]! * x + b[i]! * y;
   const l = Math.hypot(...q);
-  return l > 0 ? [q[0] / l, q[1] / l, q[2] / l, q[3] / l] : [1, 0, 0, 0];
+  return [q[0] / l, q[1] / l, q[2] / l, q[3] / l];
 }
 
 /** The shortest turn that brings the x axis onto a direction. */

@@ -7,7 +7,9 @@ import { niceBelow, project } from "./math";
 const MOST_LABELS = 60;
 /** Scale and compass are below what the page has at the top; panels cover the other edges. */
 const TOP_PX = 68;
-const FONT = '12px system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif';
+const FAMILY = 'system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif';
+/** The size of the page's text for which the words over the picture are 12 pixels high: with large text they grow. */
+const PAGE_TEXT_PX = 13;
 
 export interface OverlayInput {
   view: ArrayLike<number>;
@@ -30,6 +32,11 @@ export class Overlay {
   private c: CanvasRenderingContext2D | null;
   private widths = new Map<string, number>();
   private ratio = 1;
+  private spot = new Float64Array(3);
+  private page_px = 0;
+  /** How much larger than usual words are. */
+  private size = 1;
+  private font = `12px ${FAMILY}`;
   dark = false;
 
   constructor() {
@@ -39,6 +46,7 @@ export class Overlay {
 
   resize(width: number, height: number, ratio: number): void {
     this.ratio = ratio;
+    this.setFont();
     this.canvas.width = Math.max(1, Math.round(width * ratio));
     this.canvas.height = Math.max(1, Math.round(height * ratio));
   }
@@ -48,13 +56,23 @@ export class Overlay {
     if (!c) return;
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     c.clearRect(0, 0, input.width, input.height);
-    c.font = FONT;
+    c.font = this.font;
     c.textBaseline = "middle";
     c.lineJoin = "round";
     const taken: [number, number, number, number][] = [];
     if (input.selected !== null) this.marker(c, input, input.selected, taken);
     if (input.labels) this.labels(c, input, taken);
     if (input.grid) this.scale(c, input);
+  }
+
+  /** As large as the page's own text is. */
+  private setFont(): void {
+    const page = parseFloat(getComputedStyle(document.documentElement).fontSize) || PAGE_TEXT_PX;
+    if (page === this.page_px) return;
+    this.page_px = page;
+    this.size = Math.max(1, page / PAGE_TEXT_PX);
+    this.font = `${Math.round(12 * this.size)}px ${FAMILY}`;
+    this.widths.clear();
   }
 
   private ink(): string {
@@ -96,14 +114,14 @@ export class Overlay {
       c.stroke();
     }
     const name = input.names[i] ?? "";
-    const y = at.y - r - 11;
+    const y = at.y - r - 11 * this.size;
     const half = this.wide(c, name) / 2;
-    c.font = "600 " + FONT;
+    c.font = `600 ${this.font}`;
     c.textAlign = "center";
     this.text(c, name, at.x, y);
-    c.font = FONT;
+    c.font = this.font;
     c.textAlign = "left";
-    taken.push([at.x - half - 6, y - 10, at.x + half + 6, y + 10]);
+    taken.push([at.x - half - 6, y - 10 * this.size, at.x + half + 6, y + 10 * this.size]);
     const foot = project(input.view, [p[0], p[1], 0], input.width, input.height);
     if (foot && p[2] > 0 && Math.hypot(foot.x - at.x, foot.y - at.y) > 46) {
       const text = metres(p[2]);
@@ -116,11 +134,11 @@ export class Overlay {
   private labels(c: CanvasRenderingContext2D, input: OverlayInput, taken: [number, number, number, number][]): void {
     const { frames, width, height, view } = input;
     const seen: { i: number; x: number; y: number; w: number }[] = [];
+    const p = this.spot;
     for (let i = 0; i < frames.count; i++) {
-      if (i === input.selected) continue;
-      const p = frames.place(i);
-      const at = p && project(view, p, width, height);
-      if (!p || !at || at.x < 0 || at.y < 0 || at.x > width || at.y > height) continue;
+      if (i === input.selected || !frames.read(i, p)) continue;
+      const at = project(view, p, width, height);
+      if (!at || at.x < 0 || at.y < 0 || at.x > width || at.y > height) continue;
       seen.push({ i, x: at.x, y: at.y, w: depthOf(view, p) });
     }
     // Nearest first; where all are as near (a flat view) by number, so that labels do not flicker.
@@ -130,7 +148,7 @@ export class Overlay {
       if (drawn >= MOST_LABELS) break;
       const name = input.names[i] ?? "";
       const left = x + Math.max(6, input.radius_px(i, w)) + 4;
-      const box: [number, number, number, number] = [left - 2, y - 8, left + this.wide(c, name) + 2, y + 8];
+      const box: [number, number, number, number] = [left - 2, y - 8 * this.size, left + this.wide(c, name) + 2, y + 8 * this.size];
       if (taken.some((t) => box[0] < t[2] && box[2] > t[0] && box[1] < t[3] && box[3] > t[1])) continue;
       taken.push(box);
       this.text(c, name, left, y);
@@ -142,7 +160,7 @@ export class Overlay {
   private scale(c: CanvasRenderingContext2D, input: OverlayInput): void {
     const length = niceBelow(input.pixel_m * 130);
     const px = length / input.pixel_m;
-    const [x, y] = [input.width / 2 - 78, TOP_PX + 12];
+    const [x, y] = [input.width / 2 - 78, TOP_PX + 12 * this.size];
     for (const [width, colour] of [[4.5, this.paper(0.8)], [2, this.ink()]] as const) {
       c.strokeStyle = colour;
       c.lineWidth = width;
@@ -153,7 +171,7 @@ export class Overlay {
       c.lineTo(x + px, y - 5);
       c.stroke();
     }
-    this.text(c, metres(length), x + 5, y - 11);
+    this.text(c, metres(length), x + 5, y - 11 * this.size);
     this.compass(c, input);
   }
 
@@ -181,7 +199,7 @@ export class Overlay {
         c.lineTo(x + dx, y + dy);
         c.stroke();
       }
-      const far = (l + 10) / l;
+      const far = (l + 10 * this.size) / l;
       this.text(c, name, x + dx * far, y + dy * far);
     }
     c.textAlign = "left";

@@ -10,6 +10,7 @@ export class Paint {
   private by: ColourBy = "kind";
   private title = "";
   private unit = "";
+  private kindsPainted = false;
   private range: [number, number] | null = null;
   private tables = { value: table(SCALES.value), speed: table(SCALES.speed), battery: table(SCALES.battery) };
   private speeds: Float32Array;
@@ -31,18 +32,21 @@ export class Paint {
     this.title = title;
     this.unit = unit;
     this.range = null;
+    this.kindsPainted = false;
   }
 
   colour(i: number): [number, number, number] {
     return [this.bytes[4 * i]!, this.bytes[4 * i + 1]!, this.bytes[4 * i + 2]!];
   }
 
-  /** Paints for a frame; null: before the first. */
-  update(frame: Frame | null): void {
+  /** Paints for a frame; null: before the first. Whether there is anything new: kinds stay what they are. */
+  update(frame: Frame | null): boolean {
     if (this.by === "kind" || !frame) {
+      if (this.kindsPainted) return false;
+      this.kindsPainted = this.by === "kind";
       this.kinds.colours.forEach((c, i) => this.bytes.set(c, 4 * i));
       this.tell({ title: this.by === "kind" ? this.title || "kind" : this.title, unit: "", low: 0, high: 0, stops: [], names: this.kinds.names });
-      return;
+      return true;
     }
     const values = this.by === "speed" ? this.speedsOf(frame) : frame.values;
     if (this.by === "battery") this.range = [0, 1];
@@ -68,6 +72,7 @@ export class Paint {
       }
     }
     this.tell({ title: this.title || this.by, unit: this.unit || (this.by === "speed" ? "m/s" : ""), low, high, stops: [...SCALES[this.by]] });
+    return true;
   }
 
   private speedsOf(frame: Frame): Float32Array | null {

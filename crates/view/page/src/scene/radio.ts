@@ -1,7 +1,7 @@
 // Radio: links as lines that fade with their signal, packets as pulses from the sender to those who hear it.
 
 import type { Link, Packet } from "../wire";
-import { SCALES, colourOf, sample } from "./colours";
+import { SCALES, colourOf, table } from "./colours";
 import type { Frames } from "./frames";
 import type { Shared } from "./light";
 import { Lines } from "./lines";
@@ -11,6 +11,8 @@ import { clamp } from "./math";
 const WEAK_DBM = -95;
 const STRONG_DBM = -45;
 const MOST_LINKS = 12_000;
+const SIGNAL = table(SCALES.signal);
+const SIGNAL_DARK = table(SCALES.signalDark);
 /** How long a pulse is under way, wall s; the second where time runs slowly. */
 const PULSE_S = 0.35;
 const SLOW_PULSE_S = 1;
@@ -33,6 +35,7 @@ export class Radio {
   private until = 0;
   private dark = false;
   private last: [Link[], number] = [[], 0];
+  private rgba = new Uint8Array(4);
 
   constructor(frames: Frames, shared: Shared) {
     this.links = new Lines(MOST_LINKS, frames, shared, { width_px: 1.5, order: 12 });
@@ -46,16 +49,19 @@ export class Radio {
 
   setLinks(list: Link[], count: number): void {
     this.last = [list, count];
-    const scale = this.dark ? SCALES.signalDark : SCALES.signal;
+    const colours = this.dark ? SIGNAL_DARK : SIGNAL;
     this.links.clear();
-    const whole = list.filter(([a, b]) => a < count && b < count && a >= 0 && b >= 0);
+    const whole = list.filter((link) => link[0] < count && link[1] < count && link[0] >= 0 && link[1] >= 0);
     // The strongest, if there are too many; and the more there are, the fainter each.
     const shown = whole.length > MOST_LINKS ? [...whole].sort((a, b) => b[2] - a[2]).slice(0, MOST_LINKS) : whole;
     const crowd = clamp(1.2 - 0.15 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
     for (const [from, to, rssi, share] of shown) {
       const s = strength(rssi);
       const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(share, 0, 1)) * crowd;
-      this.links.add(from, to, [...sample(scale, s), Math.round(255 * opacity)]);
+      const at = 3 * Math.round(255 * s);
+      for (let k = 0; k < 3; k++) this.rgba[k] = colours[at + k]!;
+      this.rgba[3] = Math.round(255 * opacity);
+      this.links.add(from, to, this.rgba);
     }
     this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);
     this.links.flush();
@@ -66,6 +72,7 @@ export class Radio {
     const lasts = speed > 0 ? clamp(PULSE_S / speed, PULSE_S, SLOW_PULSE_S) : SLOW_PULSE_S;
     let left = MOST_AT_ONCE;
     const each = Math.max(1, Math.min(MOST_RECEIVERS, Math.floor(left / Math.max(list.length, 1))));
+    const rgb = colourOf(this.dark ? PULSE_DARK : PULSE);
     let first = -1;
     let added = 0;
     for (const packet of list) {
@@ -75,7 +82,9 @@ export class Radio {
         const [to, rssi] = packet.to[i]!;
         if (to >= count) continue;
         const s = strength(rssi);
-        const slot = this.pulses.add(packet.from, to, [...colourOf(this.dark ? PULSE_DARK : PULSE).slice(0, 3), 120 + 135 * s], now, lasts);
+        this.rgba.set(rgb);
+        this.rgba[3] = 120 + 135 * s;
+        const slot = this.pulses.add(packet.from, to, this.rgba, now, lasts);
         if (first < 0) first = slot;
         added++;
         left--;

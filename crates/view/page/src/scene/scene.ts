@@ -2,31 +2,34 @@
 
 import * as THREE from "three";
 import type { CameraState, ColourBy, Layers, SceneOptions, SceneView, ViewName } from "./index";
-import type { Details, Frame, Link, Packet, Vec3 } from "../wire";
+import type { Details, Frame, Link, Packet } from "../wire";
 import { Beams } from "./beams";
 import { Orbit } from "./camera";
 import { Frames } from "./frames";
+import { gridUniforms } from "./grid";
 import { Ground } from "./ground";
 import { createShared, setTheme, type Shared } from "./light";
-import { Lines } from "./lines";
+import { length } from "./math";
 import { Overlay } from "./overlay";
-import { Paint } from "./paint";
 import { Pace } from "./pace";
-import { firstHit, nearest } from "./picking";
+import { Paint } from "./paint";
 import { listen } from "./pointer";
+import { Pointing } from "./pointing";
 import { Radio } from "./radio";
 import { castShadows } from "./shadow";
+import { Sight } from "./sight";
+import { Sky } from "./sky";
+import { drawnBySoftware } from "./software";
+import { Stems } from "./stems";
 import { Textures } from "./textures";
+import { setTone, toneUniforms } from "./tone";
 import { Trails } from "./trails";
 import { Vehicles } from "./vehicles";
 import { Wind } from "./wind";
 import { World } from "./world";
 
-/** How often hovering asks what is there, and the camera tells where it is, ms. */
-const HOVER_MS = 60;
+/** How often the camera tells where it is, ms. */
 const TELL_MS = 250;
-/** The first view goes with the swarm for so long, s of virtual time, unless somebody looks elsewhere. */
-const FIRST_VIEW_S = 10;
 
 const ALL: Layers = { labels: false, trails: true, links: true, packets: true, beams: true, wind: true, grid: true, world: true };
 
@@ -45,34 +48,34 @@ class Scene implements SceneView {
   private vehicles: Vehicles;
   private textures: Textures;
   private world: World;
+  private grid = gridUniforms();
+  private tone = toneUniforms();
   private ground: Ground;
+  private sky: Sky;
   private trails: Trails;
   private radio: Radio;
   private beams: Beams;
   private wind: Wind;
-  private drop: Lines;
+  private stems: Stems;
+  private sight: Sight;
+  private pointing: Pointing;
   private overlay = new Overlay();
   private pace: Pace;
   private layers = ALL;
   private selected: number | null = null;
   private details: Details | null = null;
   private dark: boolean;
-  private placed = false;
-  /** When the view that nobody has chosen began; null: somebody has. */
-  private firstView_s: number | null = null;
   private request = 0;
   private lastDraw = 0;
   private moving = false;
   private view = new THREE.Matrix4();
   private ends: (() => void)[] = [];
-  private hoverAt: { x: number; y: number } | null = null;
-  private hoverTimer = 0;
-  private hovered: string | null = null;
   private told = "";
   private tellTimer = 0;
-  private reach = 10;
   private disposed = false;
   private fine = false;
+  private soft = false;
+  private radiusOf = (i: number, w: number): number => this.radius_px(i, w);
 
   constructor(
     private host: HTMLElement,
@@ -92,23 +95,26 @@ class Scene implements SceneView {
     host.append(canvas, this.overlay.canvas);
 
     this.shared = createShared(this.dark);
-    this.shared.uShadowFine.value = soft ? 0 : 1;
+    this.soft = soft;
     const count = hello.vehicles.paths.length;
     this.frames = new Frames(count, hello.vehicles.radii_m);
     this.paint = new Paint(hello, count, (legend) => options.onLegend(legend));
     this.textures = new Textures(() => this.changed());
-    this.ground = new Ground(hello.stage.ground, hello.stage.plane, hello.stage.radius_m, this.shared);
-    this.world = new World(hello, this.shared, this.textures, this.ground.uniforms);
+    const { stage } = hello;
+    this.ground = new Ground(stage.ground, this.textures.get(stage.texture ?? ""), stage.plane, stage.radius_m, this.shared, this.grid, this.tone);
+    this.sky = new Sky(stage.plane, this.shared, this.grid);
+    this.world = new World(hello, this.shared, this.textures, { ...this.grid, ...this.tone });
     this.vehicles = new Vehicles(hello, this.frames, this.shared);
     this.trails = new Trails(this.frames, this.shared, (i) => this.paint.colour(i));
     this.radio = new Radio(this.frames, this.shared);
-    this.beams = new Beams(this.frames, this.shared, () => this.reach * 4);
+    this.sight = new Sight(this.orbit, this.frames, this.world, hello.vehicles.radii_m);
+    this.beams = new Beams(this.frames, this.shared, () => this.sight.reach * 4);
     this.wind = new Wind(this.shared);
-    this.drop = new Lines(2, this.frames, this.shared, { width_px: 1.6, order: 9 });
+    this.stems = new Stems(hello, this.frames, this.shared);
     this.scene.matrixWorldAutoUpdate = true;
-    this.scene.add(this.ground.group, this.world.group, this.vehicles.group, ...this.trails.meshes());
-    this.scene.add(this.radio.links.mesh, this.radio.pulses.mesh, this.beams.group, this.wind.mesh, this.drop.mesh);
-    this.ends.push(castShadows(this.renderer, this.world.group, this.world.bounds, this.shared));
+    this.scene.add(this.ground.mesh, this.sky.mesh, this.world.group, this.vehicles.group, ...this.trails.meshes());
+    this.scene.add(this.radio.links.mesh, this.radio.pulses.mesh, this.beams.group, this.wind.mesh, ...this.stems.meshes());
+    this.ends.push(castShadows(this.renderer, this.world.group, this.world.bounds, this.shared, soft ? 2048 : 4096));
 
     this.pace = new Pace(
       this.renderer,
@@ -116,15 +122,24 @@ class Scene implements SceneView {
       (ratio) => this.setRatio(ratio),
       () => this.changed(true),
     );
+    this.pointing = new Pointing(options, {
+      host,
+      orbit: this.orbit,
+      frames: this.frames,
+      world: this.world,
+      view: this.view.elements,
+      worldShown: () => this.layers.world,
+      radius_px: (i, w) => this.radius_px(i, w),
+    });
     this.ends.push(
       listen(canvas, this.orbit, {
         moved: () => {
-          this.firstView_s = null;
+          this.sight.chosen();
           this.go();
         },
-        click: (x, y) => this.click(x, y),
+        click: (x, y) => options.onPick(this.pointing.vehicleAt(x, y)),
         doubleClick: (x, y) => this.doubleClick(x, y),
-        hover: (at) => this.hover(at),
+        hover: (at) => this.pointing.hover(at),
       }),
     );
     const lost = (e: Event): void => e.preventDefault();
@@ -137,7 +152,7 @@ class Scene implements SceneView {
     this.setDark(this.dark);
     this.paintAll(null);
     this.resize();
-    this.frameWorld();
+    this.sight.onWorld();
   }
 
   show(a: Frame, b: Frame, f: number): void {
@@ -148,12 +163,8 @@ class Scene implements SceneView {
     if (before !== a || beforeB !== b) {
       this.paintAll(b);
       this.trails.passed(a);
+      if (this.sight.passed(a.time, b.time, this.view, this.moving)) this.go();
     }
-    if (!this.placed) {
-      this.placed = true;
-      this.frameSwarm(true);
-      this.firstView_s = a.time;
-    } else if (this.firstView_s !== null) this.keepInSight(b.time - this.firstView_s);
     this.changed();
   }
 
@@ -165,12 +176,12 @@ class Scene implements SceneView {
   setDark(dark: boolean): void {
     this.dark = dark;
     setTheme(this.shared, dark);
-    this.ground.setDark(dark);
+    setTone(this.tone, dark);
     this.vehicles.setDark(dark);
     this.wind.setDark(dark);
     this.radio.setDark(dark);
     this.overlay.dark = dark;
-    this.dropLine();
+    this.stems.setDark(dark);
     this.changed();
   }
 
@@ -196,31 +207,30 @@ class Scene implements SceneView {
     this.selected = vehicle !== null && vehicle >= 0 && vehicle < this.frames.count ? vehicle : null;
     this.trails.select(this.selected);
     if (this.details && this.details.vehicle !== this.selected) this.setDetails(null);
-    this.dropLine();
+    this.stems.select(this.selected);
     this.changed();
   }
 
   follow(vehicle: number | null): void {
-    if (vehicle !== null) this.firstView_s = null;
+    if (vehicle !== null) this.sight.chosen();
     this.orbit.follow(vehicle === null ? null : () => this.frames.place(vehicle));
     this.go();
   }
 
   setView(name: ViewName): void {
-    this.firstView_s = null;
+    this.sight.chosen();
     this.orbit.setView(name);
     this.go();
   }
 
   fit(): void {
-    this.firstView_s = null;
-    this.frameSwarm(false);
+    this.sight.chosen();
+    if (this.sight.onSwarm(false)) this.go();
   }
 
   setCamera(state: CameraState): void {
-    this.firstView_s = null;
+    this.sight.settled();
     this.orbit.set(state);
-    this.placed = true;
     this.changed();
   }
 
@@ -287,10 +297,9 @@ class Scene implements SceneView {
   dispose(): void {
     this.disposed = true;
     cancelAnimationFrame(this.request);
-    clearTimeout(this.hoverTimer);
     clearTimeout(this.tellTimer);
     for (const end of this.ends) end();
-    for (const part of [this.pace, this.vehicles, this.world, this.ground, this.trails, this.radio, this.beams, this.wind, this.drop, this.textures, this.frames]) {
+    for (const part of [this.pace, this.pointing, this.vehicles, this.world, this.ground, this.sky, this.trails, this.radio, this.beams, this.wind, this.stems, this.textures, this.frames]) {
       part.dispose();
     }
     this.renderer.dispose();
@@ -327,35 +336,42 @@ class Scene implements SceneView {
 
   private draw(now: number): void {
     this.lastDraw = now;
-    const { hello } = this.options;
-    const target = this.orbit.target();
-    const distance = this.orbit.distance();
-    const content = this.reach + Math.hypot(...target);
-    const far = Math.max(content * 3, distance * 14);
-    this.orbit.reach = Math.max(far * 1.3, Math.min(hello.stage.radius_m, far * 4));
-    this.orbit.apply();
-    const near = distance + this.orbit.retreat;
-    this.shared.uHazeRange.value.set(far * 0.35 + near, far * 1.25 + near);
-    this.shared.uClock.value = performance.now() / 1000;
-    this.ground.update(this.orbit, far * 1.6 + distance * 2);
+    const { orbit, shared } = this;
+    const distance = orbit.distance();
+    const content = this.sight.reach + length(orbit.target());
+    // The ground goes on until it is all haze; what is there ends long before.
+    const far = 60 * Math.max(content, distance);
+    orbit.reach = far;
+    orbit.apply();
+    shared.uHazeRange.value.set(Math.max(content * 1.6, distance * 2.5) + orbit.retreat, Math.max(content, distance) * 9);
+    shared.uShadowFine.value = this.soft && !this.fine ? 0 : 1;
+    shared.uFlat.value = orbit.lens().flat ? 1 : 0;
+    shared.uClock.value = performance.now() / 1000;
+    const { camera } = orbit;
+    this.view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    shared.uSee.value.copy(this.view);
+    this.ground.update(orbit, far, this.sight.reach);
+    this.sky.update(orbit, shared);
+    this.vehicles.update(this.view.elements, this.scale(), distance);
     this.trails.update();
     if (this.layers.beams) this.beams.update();
-    const { camera } = this.orbit;
-    this.view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    this.shared.uSee.value.copy(this.view);
     this.renderer.render(this.scene, camera);
+    this.drawOver();
+  }
+
+  private drawOver(): void {
     this.overlay.draw({
       view: this.view.elements,
       width: this.host.clientWidth,
       height: this.host.clientHeight,
       frames: this.frames,
-      names: hello.vehicles.paths,
+      names: this.options.hello.vehicles.paths,
       labels: this.layers.labels,
       selected: this.selected,
       pixel_m: this.orbit.pixel(),
       flat: this.orbit.isFlat(),
       grid: this.layers.grid,
-      radius_px: (i, w) => this.radius_px(i, w),
+      radius_px: this.radiusOf,
     });
   }
 
@@ -367,140 +383,29 @@ class Scene implements SceneView {
     this.shared.uViewport.value.set(this.renderer.domElement.width, this.renderer.domElement.height, ratio);
   }
 
-  /** How large a vehicle is drawn, CSS pixels; as the shader has it. */
+  /** A metre at clip depth 1, CSS pixels. */
+  private scale(): number {
+    return (this.orbit.camera.projectionMatrix.elements[5]! * Math.max(this.host.clientHeight, 1)) / 2;
+  }
+
+  /** How large a vehicle is drawn, CSS pixels. */
   private radius_px(i: number, w: number): number {
-    const pixel = (2 * w) / (this.orbit.camera.projectionMatrix.elements[5]! * Math.max(this.host.clientHeight, 1));
-    const radius = this.options.hello.vehicles.radii_m[i] ?? 0.1;
-    return Math.max(this.vehicles.least, radius / pixel);
+    return this.vehicles.radius_px(i, w, this.scale(), this.orbit.distance(), this.orbit.lens().flat);
   }
 
   private paintAll(frame: Frame | null): void {
-    this.paint.update(frame);
+    if (!this.paint.update(frame)) return;
     (this.frames.colours.image.data as unknown as Uint8Array).set(this.paint.bytes);
     this.frames.colours.needsUpdate = true;
   }
 
-  /** From the selected vehicle down to the ground. */
-  private dropLine(): void {
-    this.drop.clear();
-    if (this.selected !== null && this.options.hello.stage.plane) {
-      this.drop.add(this.selected, this.selected, this.dark ? [255, 213, 74, 220] : [214, 0, 108, 220]);
-    }
-    this.drop.flush();
-  }
-
-  // Where to look.
-
-  /** Before the first frame: the world. */
-  private frameWorld(): void {
-    const box = this.world.bounds;
-    if (box.isEmpty()) return;
-    this.reach = Math.max(this.reach, box.min.length(), box.max.length());
-    this.orbit.fit(corners(box), 0, true);
-  }
-
-  private frameSwarm(atOnce: boolean): void {
-    const box = new THREE.Box3();
-    let radius = 0.05;
-    const points: Vec3[] = [];
-    for (let i = 0; i < this.frames.count; i++) {
-      const p = this.frames.place(i);
-      if (!p) continue;
-      points.push(p);
-      box.expandByPoint(new THREE.Vector3(...p));
-      radius = Math.max(radius, this.options.hello.vehicles.radii_m[i] ?? 0);
-    }
-    if (points.length === 0) return;
-    const size = box.getSize(new THREE.Vector3()).length();
-    this.reach = Math.max(this.reach, box.min.length(), box.max.length());
-    // With the ground below, and with the world around, if that is not much larger than the swarm.
-    const around = this.world.bounds;
-    const wide = around.isEmpty() ? Infinity : around.getSize(new THREE.Vector3()).length();
-    if (atOnce && wide < Math.max(size, radius * 20) * 1.4) points.push(...corners(around));
-    this.orbit.fit(points, Math.max(radius * 3, size * 0.03, 0.3), atOnce);
-    this.go();
-  }
-
-  /** A swarm that leaves the first view is followed by it: what starts far from where it goes would leave it empty. */
-  private keepInSight(passed_s: number): void {
-    if (passed_s < 0 || passed_s > FIRST_VIEW_S) {
-      this.firstView_s = null;
-      return;
-    }
-    if (this.moving) return;
-    let [seen, all] = [0, 0];
-    const at = new THREE.Vector4();
-    for (let i = 0; i < this.frames.count; i++) {
-      const p = this.frames.place(i);
-      if (!p) continue;
-      all += 1;
-      at.set(...p, 1).applyMatrix4(this.view);
-      if (at.w > 0 && Math.abs(at.x) <= at.w && Math.abs(at.y) <= at.w) seen += 1;
-    }
-    if (seen < 0.7 * all) this.frameSwarm(false);
-  }
-
-  // People.
-
-  private click(x: number, y: number): void {
-    this.options.onPick(this.vehicleAt(x, y));
-  }
-
   private doubleClick(x: number, y: number): void {
-    const vehicle = this.vehicleAt(x, y);
-    const point = vehicle === null ? this.pointAt(x, y) : this.frames.place(vehicle);
+    const vehicle = this.pointing.vehicleAt(x, y);
+    const point = vehicle === null ? this.pointing.pointAt(x, y) : this.frames.place(vehicle);
     if (!point || this.orbit.following()) return;
-    this.firstView_s = null;
+    this.sight.chosen();
     this.orbit.lookAt(point);
     this.go();
-  }
-
-  private vehicleAt(x: number, y: number): number | null {
-    const { clientWidth: w, clientHeight: h } = this.host;
-    const { count } = this.frames;
-    return nearest(count, (i) => this.frames.place(i), this.view.elements, w, h, x, y, (i, depth) => this.radius_px(i, depth));
-  }
-
-  private ray(x: number, y: number): { from: Vec3; along: Vec3 } {
-    return this.orbit.ray((2 * x) / this.host.clientWidth - 1, 1 - (2 * y) / this.host.clientHeight);
-  }
-
-  /** What is there to stand on: a thing of the world, or the ground. */
-  private pointAt(x: number, y: number): Vec3 | null {
-    const { from, along } = this.ray(x, y);
-    const hit = this.layers.world ? firstHit(this.world, from, along) : null;
-    const ground = along[2] < 0 && from[2] > 0 ? -from[2] / along[2] : Infinity;
-    const away = Math.min(hit?.away_m ?? Infinity, ground);
-    return Number.isFinite(away) ? [from[0] + along[0] * away, from[1] + along[1] * away, from[2] + along[2] * away] : null;
-  }
-
-  private hover(at: { x: number; y: number } | null): void {
-    this.hoverAt = at;
-    if (this.hoverTimer !== 0) return;
-    this.hoverTimer = window.setTimeout(() => {
-      this.hoverTimer = 0;
-      this.told_hover(this.hoverAt ? this.nameAt(this.hoverAt.x, this.hoverAt.y) : null);
-    }, HOVER_MS);
-  }
-
-  private told_hover(text: string | null): void {
-    if (text === this.hovered) return;
-    this.hovered = text;
-    this.options.onHover(text);
-  }
-
-  private nameAt(x: number, y: number): string | null {
-    const { hello } = this.options;
-    const vehicle = this.vehicleAt(x, y);
-    this.renderer.domElement.style.cursor = vehicle === null ? "" : "pointer";
-    if (vehicle !== null) return `${hello.vehicles.paths[vehicle]} · ${hello.vehicles.kinds[vehicle]}`;
-    if (!this.layers.world) return null;
-    const { from, along } = this.ray(x, y);
-    const hit = firstHit(this.world, from, along);
-    if (!hit) return null;
-    const prop = this.world.props[hit.target.prop]!;
-    const meta = Object.entries(prop.meta).map(([key, value]) => `${key} ${value}`);
-    return [prop.label || prop.kind, ...(prop.label ? [prop.kind] : []), ...meta.slice(0, 3)].join(" · ");
   }
 
   private tell(): void {
@@ -514,19 +419,4 @@ class Scene implements SceneView {
       this.options.onCamera(state);
     }, TELL_MS);
   }
-}
-
-/** Whether the browser has no graphics card to draw with. */
-function drawnBySoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return false;
-  const info = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-}
-
-function corners(box: THREE.Box3): Vec3[] {
-  const ends = [box.min, box.max];
-  return Array.from({ length: 8 }, (_, i) => [ends[i & 1]!.x, ends[(i >> 1) & 1]!.y, ends[(i >> 2) & 1]!.z]);
 }

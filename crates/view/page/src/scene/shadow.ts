@@ -4,12 +4,11 @@
 import * as THREE from "three";
 import type { Shared } from "./light";
 
-const SIZE = 2048;
 /** Worlds wider than this have none: a texel would be wider than what throws the shadow. */
 const WIDEST_M = 3000;
 
-/** Draws the shadows of `group`, if `bounds` is not too wide. Returns what frees them. */
-export function castShadows(renderer: THREE.WebGLRenderer, group: THREE.Object3D, bounds: THREE.Box3, shared: Shared): () => void {
+/** Draws the shadows of `group`, so many texels wide, if `bounds` is not too wide. Returns what frees them. */
+export function castShadows(renderer: THREE.WebGLRenderer, group: THREE.Object3D, bounds: THREE.Box3, shared: Shared, texels: number): () => void {
   const size = bounds.getSize(new THREE.Vector3());
   if (bounds.isEmpty() || size.length() > WIDEST_M) return () => undefined;
   const sun = shared.uSun.value;
@@ -37,9 +36,9 @@ export function castShadows(renderer: THREE.WebGLRenderer, group: THREE.Object3D
   camera.far = -box.min.z + margin;
   camera.updateProjectionMatrix();
 
-  const depth = new THREE.DepthTexture(SIZE, SIZE, THREE.UnsignedIntType);
+  const depth = new THREE.DepthTexture(texels, texels, THREE.UnsignedIntType);
   depth.minFilter = depth.magFilter = THREE.NearestFilter;
-  const target = new THREE.WebGLRenderTarget(SIZE, SIZE, { depthTexture: depth, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+  const target = new THREE.WebGLRenderTarget(texels, texels, { depthTexture: depth, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
   const material = new THREE.ShaderMaterial({
     vertexShader: /* glsl */ `
       void main() {
@@ -66,7 +65,7 @@ export function castShadows(renderer: THREE.WebGLRenderer, group: THREE.Object3D
 
   shared.uShadow.value = depth;
   shared.uShadowFrom.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-  const texel = Math.max(camera.right - camera.left, camera.top - camera.bottom) / SIZE;
+  const texel = Math.max(camera.right - camera.left, camera.top - camera.bottom) / texels;
   shared.uShadowDepth.value = (texel * 2) / (camera.far - camera.near) + 1e-5;
   return () => target.dispose();
 }

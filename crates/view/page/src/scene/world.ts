@@ -7,9 +7,10 @@ import * as THREE from "three";
 import type { Form, Hello, Piece, Prop } from "../wire";
 import { colourOf } from "./colours";
 import { bloom, matrixOf, meshOf, outlineOf, stem } from "./forms";
-import { GRID } from "./ground";
+import { GRID } from "./grid";
 import { LIGHT, SHADOW, type Shared } from "./light";
 import type { Textures } from "./textures";
+import { TONE } from "./tone";
 
 /** Fewer pieces of a form than this are put together with others. */
 const FEW = 12;
@@ -23,6 +24,7 @@ attribute vec3 local, localNormal;
 #endif
 attribute vec4 tint;
 uniform mat4 uSee;
+uniform float uFlat;
 varying vec4 vColour;
 varying vec3 vNormal2, vWorld, vLocal, vLocalNormal;
 varying float vAway;
@@ -43,7 +45,7 @@ void main() {
   vColour = vec4(mix(colour.rgb, tint.rgb, tint.a), colour.a);
   vWorld = world.xyz;
   gl_Position = uSee * world;
-  vAway = isOrthographic ? 0.0 : gl_Position.w;
+  vAway = uFlat > 0.5 ? 0.0 : gl_Position.w;
 }
 `;
 
@@ -52,6 +54,8 @@ ${LIGHT}
 ${SHADOW}
 #ifdef TERRAIN
 ${GRID}
+${TONE}
+uniform vec3 uLine, uViewport;
 #endif
 uniform float uWorldTone, uTile, uReady;
 uniform sampler2D uTexture;
@@ -76,10 +80,12 @@ void main() {
   if (!gl_FrontFacing) n = -n;
   #endif
   float sun = sunAt(vWorld + n * 0.02);
-  vec3 colour = lit(base * uWorldTone, n, sun);
   #ifdef TERRAIN
-  colour = mix(colour, uLine, gridAt(vWorld.xy, max(fwidth(vWorld.xy), 1e-9) * uViewport.z) * uShowGrid);
+  base = fromSrgb(toned(toSrgb(base)));
+  vec3 colour = lit(base, n, sun) / lit(vec3(1.0), uSun, 1.0);
+  colour = mix(colour, uLine, 0.5 * gridAt(vWorld.xy, max(fwidth(vWorld.xy), 1e-9) * uViewport.z));
   #else
+  vec3 colour = lit(base * uWorldTone, n, sun);
   // Less sky is seen close to the ground.
   colour *= 0.82 + 0.18 * smoothstep(0.0, 0.5, vWorld.z);
   #endif
@@ -123,7 +129,7 @@ export class World {
     hello: Hello,
     private shared: Shared,
     private textures: Textures,
-    /** Those of `GRID`, for terrain. */
+    /** Those of `GRID` and `TONE`, for terrain. */
     private grid: Record<string, THREE.IUniform>,
   ) {
     this.props = hello.stage.props;
@@ -166,7 +172,7 @@ export class World {
         const outline = form && outlineOf(form, piece.form);
         if (!form || !outline) return;
         let key = outline.key;
-        let make = (): THREE.BufferGeometry => outline.make(true);
+        let make = (): THREE.BufferGeometry => outline.make(2);
         let both = "mesh" in form;
         let matrix = matrixOf(piece, outline.size);
         if (prop.kind === "flower" && prop.pieces.length > 1 && "cylinder" in form) {

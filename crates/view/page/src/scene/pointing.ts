@@ -1,0 +1,89 @@
+// What people point at: the vehicle under the pointer, or the thing of the world, and its name.
+
+import type { SceneOptions } from "./index";
+import type { Vec3 } from "../wire";
+import type { Orbit } from "./camera";
+import type { Frames } from "./frames";
+import { firstHit, nearest } from "./picking";
+import type { World } from "./world";
+
+/** How often hovering asks what is there, ms. */
+const HOVER_MS = 60;
+
+export interface Pointed {
+  host: HTMLElement;
+  orbit: Orbit;
+  frames: Frames;
+  world: World;
+  /** The last picture's view-projection, column-major. */
+  view: ArrayLike<number>;
+  /** Whether the world is shown. */
+  worldShown(): boolean;
+  /** The radius of a vehicle on the screen at clip depth `w`, CSS pixels. */
+  radius_px(i: number, w: number): number;
+}
+
+export class Pointing {
+  private at: { x: number; y: number } | null = null;
+  private timer = 0;
+  private told: string | null = null;
+  private spot = new Float64Array(3);
+
+  constructor(
+    private options: SceneOptions,
+    private to: Pointed,
+  ) {}
+
+  vehicleAt(x: number, y: number): number | null {
+    const { host, frames, view } = this.to;
+    const p = this.spot;
+    return nearest(frames.count, (i) => (frames.read(i, p) ? p : null), view, host.clientWidth, host.clientHeight, x, y, (i, w) => this.to.radius_px(i, w));
+  }
+
+  /** What is there to stand on: a thing of the world, or the ground. */
+  pointAt(x: number, y: number): Vec3 | null {
+    const { from, along } = this.ray(x, y);
+    const hit = this.to.worldShown() ? firstHit(this.to.world, from, along) : null;
+    const ground = along[2] < 0 && from[2] > 0 ? -from[2] / along[2] : Infinity;
+    const away = Math.min(hit?.away_m ?? Infinity, ground);
+    return Number.isFinite(away) ? [from[0] + along[0] * away, from[1] + along[1] * away, from[2] + along[2] * away] : null;
+  }
+
+  hover(at: { x: number; y: number } | null): void {
+    this.at = at;
+    if (this.timer !== 0) return;
+    this.timer = window.setTimeout(() => {
+      this.timer = 0;
+      this.tell(this.at ? this.nameAt(this.at.x, this.at.y) : null);
+    }, HOVER_MS);
+  }
+
+  dispose(): void {
+    clearTimeout(this.timer);
+  }
+
+  private tell(text: string | null): void {
+    if (text === this.told) return;
+    this.told = text;
+    this.options.onHover(text);
+  }
+
+  private ray(x: number, y: number): { from: Vec3; along: Vec3 } {
+    const { host, orbit } = this.to;
+    return orbit.ray((2 * x) / host.clientWidth - 1, 1 - (2 * y) / host.clientHeight);
+  }
+
+  private nameAt(x: number, y: number): string | null {
+    const { hello } = this.options;
+    const vehicle = this.vehicleAt(x, y);
+    this.to.host.style.cursor = vehicle === null ? "" : "pointer";
+    if (vehicle !== null) return `${hello.vehicles.paths[vehicle]} · ${hello.vehicles.kinds[vehicle]}`;
+    if (!this.to.worldShown()) return null;
+    const { from, along } = this.ray(x, y);
+    const hit = firstHit(this.to.world, from, along);
+    if (!hit) return null;
+    const prop = this.to.world.props[hit.target.prop]!;
+    const meta = Object.entries(prop.meta).map(([key, value]) => `${key} ${value}`);
+    return [prop.label || prop.kind, ...(prop.label ? [prop.kind] : []), ...meta.slice(0, 3)].join(" · ");
+  }
+}

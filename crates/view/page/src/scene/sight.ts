@@ -1,0 +1,141 @@
+// Where to look when nobody has said: at the world before the first frame, then at the swarm, and after it as it
+// leaves the picture.
+
+import * as THREE from "three";
+import type { Vec3 } from "../wire";
+import type { Orbit } from "./camera";
+import type { Frames } from "./frames";
+import { length, sub, unit } from "./math";
+import { firstHit } from "./picking";
+import type { World } from "./world";
+
+/** The first view goes with the swarm for so long, s of virtual time, unless somebody looks elsewhere. */
+const FIRST_VIEW_S = 10;
+/** Where the first view stands, seen from the swarm, rad: the lowest from which the world hides little of it. */
+const ELEVATIONS = [0.36, 0.6, 0.85, 1.1, 1.35];
+/** By so many of the vehicles that is judged, and such a share of them must be seen. */
+const SAMPLES = 20;
+const CLEAR = 0.8;
+/** About so many vehicles tell whether the swarm is still in sight. */
+const POLLED = 400;
+
+export class Sight {
+  /** How far from the origin there is anything to see, m. */
+  reach = 10;
+  /** When the view that nobody has chosen began; null: somebody has. */
+  private since_s: number | null = null;
+  private placed = false;
+  private points: Vec3[] = [];
+  private spot = new Float64Array(3);
+
+  constructor(
+    private orbit: Orbit,
+    private frames: Frames,
+    private world: World,
+    private radii: ArrayLike<number>,
+  ) {}
+
+  /** Somebody has chosen what to look at. */
+  chosen(): void {
+    this.since_s = null;
+  }
+
+  /** The same, for good: the swarm is not looked for. */
+  settled(): void {
+    this.chosen();
+    this.placed = true;
+  }
+
+  /** Before the first frame: the world. */
+  onWorld(): void {
+    const box = this.world.bounds;
+    if (box.isEmpty()) return;
+    this.reach = Math.max(this.reach, box.min.length(), box.max.length());
+    this.orbit.fit(corners(box), 0, true);
+  }
+
+  /** After new frames. `view`: the last picture's. Whether the camera has somewhere to go. */
+  passed(from_s: number, to_s: number, view: THREE.Matrix4, moving: boolean): boolean {
+    if (!this.placed) {
+      this.placed = true;
+      this.since_s = from_s;
+      return this.onSwarm(true);
+    }
+    if (this.since_s === null) return false;
+    const passed_s = to_s - this.since_s;
+    if (passed_s < 0 || passed_s > FIRST_VIEW_S) this.since_s = null;
+    else if (!moving && this.seen(view) < 0.7) return this.onSwarm(false);
+    return false;
+  }
+
+  /** All vehicles in sight. `first`: it is the first view. Whether there are any. */
+  onSwarm(first: boolean): boolean {
+    const box = new THREE.Box3();
+    let radius = 0.05;
+    const points = this.places();
+    for (const p of points) box.expandByPoint(new THREE.Vector3(...p));
+    for (let i = 0; i < this.frames.count; i++) radius = Math.max(radius, this.radii[i] ?? 0);
+    if (points.length === 0) return false;
+    const size = box.getSize(new THREE.Vector3()).length();
+    this.reach = Math.max(this.reach, box.min.length(), box.max.length());
+    // With the ground below, and with the world around, if that is not much larger than the swarm.
+    const around = this.world.bounds;
+    const wide = around.isEmpty() ? Infinity : around.getSize(new THREE.Vector3()).length();
+    const all = first && wide < Math.max(size, radius * 20) * 1.4 ? [...points, ...corners(around)] : points;
+    const margin = Math.max(radius * 3, size * 0.03, 0.3);
+    this.orbit.fit(all, margin, first);
+    if (first && !around.isEmpty()) this.lookOver(all, margin);
+    return true;
+  }
+
+  /** Rises until the world hides few of the swarm; stays low, if that never comes. */
+  private lookOver(points: Vec3[], margin: number): void {
+    const step = Math.max(1, Math.ceil(this.points.length / SAMPLES));
+    const some = this.points.filter((_, i) => i % step === 0);
+    for (const elevation of ELEVATIONS) {
+      this.orbit.raise(elevation);
+      this.orbit.fit(points, margin, true);
+      const { from } = this.orbit.state();
+      const free = some.filter((to) => {
+        const away = sub(to, from);
+        const hit = firstHit(this.world, from, unit(away));
+        return !hit || hit.away_m > length(away);
+      });
+      if (free.length >= CLEAR * some.length) return;
+    }
+    this.orbit.raise(ELEVATIONS[0]!);
+    this.orbit.fit(points, margin, true);
+  }
+
+  private places(): Vec3[] {
+    const { points, frames } = this;
+    points.length = 0;
+    for (let i = 0; i < frames.count; i++) {
+      const p = frames.place(i);
+      if (p) points.push(p);
+    }
+    return points;
+  }
+
+  /** The share of vehicles in the picture, about. */
+  private seen(view: THREE.Matrix4): number {
+    const m = view.elements;
+    const p = this.spot;
+    let [seen, all] = [0, 0];
+    const step = Math.max(1, Math.floor(this.frames.count / POLLED));
+    for (let i = 0; i < this.frames.count; i += step) {
+      if (!this.frames.read(i, p)) continue;
+      all += 1;
+      const w = m[3]! * p[0]! + m[7]! * p[1]! + m[11]! * p[2]! + m[15]!;
+      const x = m[0]! * p[0]! + m[4]! * p[1]! + m[8]! * p[2]! + m[12]!;
+      const y = m[1]! * p[0]! + m[5]! * p[1]! + m[9]! * p[2]! + m[13]!;
+      if (w > 0 && Math.abs(x) <= w && Math.abs(y) <= w) seen += 1;
+    }
+    return all > 0 ? seen / all : 1;
+  }
+}
+
+function corners(box: THREE.Box3): Vec3[] {
+  const ends = [box.min, box.max];
+  return Array.from({ length: 8 }, (_, i) => [ends[i & 1]!.x, ends[(i >> 1) & 1]!.y, ends[(i >> 2) & 1]!.z]);
+}
