@@ -68,6 +68,10 @@ export class Page {
       hover.style.top = `${event.clientY}px`;
     });
 
+    // These events do not bubble.
+    host.addEventListener("webglcontextlost", () => run.say("The graphics card has taken the picture away. It comes back by itself, or after loading this page again.", true), { capture: true });
+    host.addEventListener("webglcontextrestored", () => (run.notice.value = null), { capture: true });
+
     const live = run.live ? liveActions(run) : null;
     const replay = run.replay ? replayActions(run, run.replay) : null;
     const vehicles = vehiclesPanel(run, this.layout);

@@ -159,7 +159,8 @@ export class Run {
         break;
       case "details":
         // What was on its way when somebody else was selected is nobody's business.
-        if (message.vehicle === this.selected.value) this.details.value = message;
+        // What stands is told again and again: it is no news, and nothing is drawn for it.
+        if (message.vehicle === this.selected.value && JSON.stringify(message) !== JSON.stringify(this.details.value)) this.details.value = message;
         this.found({
           radio: message.radios.length > 0,
           beams: message.sensors.some((sensor) => sensor.beams !== null),

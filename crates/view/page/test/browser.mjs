@@ -11,7 +11,7 @@ export const scenario = (name) => `${root}scenarios/${name}.toml`;
 export const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** For whatever is waited for: this machine may be slow, busy, and without a graphics card. */
-export const PATIENCE_MS = 60_000;
+export const PATIENCE_MS = Number(process.env.PATIENCE_MS ?? 60_000);
 
 const chromiumPath =
   process.env.CHROMIUM ??
@@ -55,8 +55,12 @@ export async function serve(...args) {
     };
     child.stdout.on("data", hear);
     child.stderr.on("data", hear);
-    child.on("error", reject);
-    child.on("exit", (code) => reject(new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`)));
+    const fail = (error) => {
+      clearTimeout(timer);
+      reject(error);
+    };
+    child.on("error", fail);
+    child.on("exit", (code) => fail(new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`)));
   });
   const exited = new Promise((resolve) => child.on("exit", resolve));
   return {
