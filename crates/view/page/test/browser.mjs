@@ -132,13 +132,39 @@ export async function until(page, holds, argument) {
   await page.waitForFunction(holds, argument, { timeout: PATIENCE_MS });
 }
 
+/** Waits until nothing is drawn any more: what stands costs nothing. */
+export async function rest(page) {
+  await page.evaluate(() => (window.before = ""));
+  await page.waitForFunction(
+    () => {
+      const { place, stats } = window.simbeeotic;
+      const now = JSON.stringify([place().camera, stats().drawn]);
+      const same = window.before === now;
+      window.before = now;
+      return same;
+    },
+    null,
+    // Longer than a picture waits for its finer successor.
+    { polling: 600, timeout: PATIENCE_MS },
+  );
+}
+
 /** Waits until the run is held and the page shows where: what was under way has arrived. */
 export async function still(page) {
-  await until(page, () => {
-    const { state, time_s, frame } = window.simbeeotic;
-    const held = state();
-    return held?.paused && Math.abs(held.time_s - time_s()) < 1e-6 && frame()?.time === time_s();
-  });
+  await page.evaluate(() => (window.stood = NaN));
+  await page.waitForFunction(
+    () => {
+      const { state, time_s, frame } = window.simbeeotic;
+      const held = state();
+      const here = held?.paused && Math.abs(held.time_s - time_s()) < 1e-6 && frame()?.time === time_s();
+      // The instant that goes on while it is asked to hold comes a little later.
+      const stood = here && window.stood === time_s();
+      window.stood = here ? time_s() : NaN;
+      return stood;
+    },
+    null,
+    { polling: 300, timeout: PATIENCE_MS },
+  );
 }
 
 export async function untilTime(page, least_s) {

@@ -8,7 +8,8 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { sources } from "./sources.mjs";
 
-const { decode, place, format, series, replay, live, keys } = await sources({
+const { axis, decode, place, format, series, replay, live, keys } = await sources({
+  axis: "core/axis.ts",
   decode: "decode.ts",
   place: "core/place.ts",
   format: "core/format.ts",
@@ -69,6 +70,7 @@ test("a link is read as it was written", () => {
     theme: "dark",
     charts: [{ name: "packets/sent", own: false }, { name: "battery/soc", own: true }],
     panels: ["layers", "charts"],
+    marks: "contact",
   };
   assert.deepEqual(place.readPlace(`#${place.writePlace(view)}`), view);
   assert.deepEqual(place.readPlace(""), {});
@@ -88,10 +90,47 @@ test("numbers and times are short and do not lie", () => {
   assert.equal(format.number(1234567), "1.23 M");
   assert.equal(format.number(-12.345), "−12.3");
   assert.equal(format.number(NaN), "–");
+  assert.equal(format.number(999.96), "1000");
+  assert.equal(format.number(999_999_999), "1.00 G");
+  assert.equal(format.number(999_999.9), "1.00 M");
+  assert.equal(format.number(2.5e-7), "2.5×10⁻⁷");
+  assert.equal(format.number(-4e21), "−4×10²¹");
+  assert.equal(format.unit("1/s"), "\u00a0/s");
+  assert.equal(format.words("planned/out/mean"), "planned out (mean)");
   assert.equal(format.factor(0.25), "0.25 ×");
   assert.equal(format.factor(100), "100 ×");
   assert.equal(format.factor(1), "1 ×");
   assert.equal(format.fixed(-0.001, 2), "0.00");
+});
+
+const lineOf = (name, unit, vehicle = null) => new series.Line({ id: 1, name, unit, vehicle });
+
+test("a chart tells numbers with their unit: shares in percent, rates each second, nothing as nothing", () => {
+  const told = (value, ...about) => {
+    const measure = axis.measureOf(lineOf(...about));
+    return axis.told(value === null ? null : value * measure.times, measure).replaceAll("\u00a0", " ");
+  };
+  assert.equal(told(0.4567, "packets/delivery", "1"), "45.7 %");
+  assert.equal(told(1, "battery/soc/mean", "1"), "100 %");
+  assert.equal(told(0.98, "speed", "1"), "0.98 ×");
+  assert.equal(told(3, "speed", "m/s", 4), "3 m/s", "a vehicle's own number of this name");
+  assert.equal(told(89.41, "packets/received", "1/s"), "89.4 /s");
+  assert.equal(told(7, "pollen", "1"), "7");
+  assert.equal(told(null, "energy", "J"), "–");
+});
+
+test("a mean over a time in which nothing happened is nothing, whatever was before", () => {
+  const times = [0, 0.1, 0.2, 0.3, 1.4, 1.5];
+  assert.deepEqual(axis.meanOver(times, [0.1, 0.7, 1 / 3, 1e9 / 3, 0, 0], 1).slice(-2), [0, 0]);
+  assert.deepEqual(axis.meanOver(times, [2, null, 4, 6, 8, null], 1), [2, null, 3, 4, 8, null]);
+});
+
+test("labels of an axis tell its steps apart, and are short", () => {
+  assert.deepEqual([0, 50_000, 100_000].map((x) => axis.labelOf(x, 50_000)), ["0", "50 k", "100 k"]);
+  assert.deepEqual([0, 0.5, 1].map((x) => axis.labelOf(x, 0.5)), ["0", "0.5", "1.0"]);
+  assert.deepEqual([3.98, 4, 4.02].map((x) => axis.labelOf(x, 0.02)), ["3.98", "4.00", "4.02"]);
+  assert.equal(axis.labelOf(2e-6, 1e-6), "2×10⁻⁶");
+  assert.equal(axis.timeLabel(90, 30), "1:30");
 });
 
 test("a long series is thinned, and keeps its newest value and its span", () => {

@@ -21,13 +21,24 @@ export async function compare(page, name) {
     writeFileSync(file, seen);
     return;
   }
-  const { size, mean, other } = await difference(page, readFileSync(file), seen);
-  const wrong = size !== "" ? size : mean > MEAN_MAX ? `mean ${mean.toFixed(1)}` : other > OTHER_MAX ? `${(100 * other).toFixed(1)} % of blocks` : "";
+  const wrong = await verdict(page, readFileSync(file), seen);
   if (wrong !== "") {
     const now = here(`pictures/${name}.new.png`);
     writeFileSync(now, seen);
     assert.fail(`the picture differs (${wrong}): look at ${now}`);
   }
+}
+
+/** In what two PNGs differ by more than the tolerance; empty if they do not. */
+export async function verdict(page, a, b) {
+  const { size, mean, other } = await difference(page, a, b);
+  if (size !== "") return size;
+  if (mean > MEAN_MAX) return `mean ${mean.toFixed(1)}`;
+  return other > OTHER_MAX ? `${(100 * other).toFixed(1)} % of blocks` : "";
+}
+
+export function kept(name) {
+  return readFileSync(here(`pictures/${name}.png`));
 }
 
 /** How much two PNGs differ; the browser decodes them. */

@@ -4,8 +4,8 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { compare } from "./pictures.mjs";
-import { drawn, execute, launch, open, place, scenario, serve, time, until, untilTime } from "./browser.mjs";
+import { compare, kept, verdict } from "./pictures.mjs";
+import { drawn, execute, launch, open, place, rest, scenario, serve, time, until, untilTime } from "./browser.mjs";
 
 let browser, folder, run, page;
 
@@ -101,6 +101,45 @@ test("jumps go to the marks", async () => {
   await page.keyboard.press("v");
 });
 
+test("marks of one kind are listed, counted and jumped to", async () => {
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.keyboard.press("m");
+  const kinds = await page.locator("#mark-kind option").allTextContents();
+  assert.ok(kinds.some((text) => /^contact \([1-9]/.test(text)) && kinds.some((text) => /^log \([1-9]/.test(text)), kinds.join());
+  await page.selectOption("#mark-kind", "log");
+  await until(page, () => [...document.querySelectorAll("#panel-marks .row .second")].every((it) => /^log/.test(it.textContent)));
+  assert.equal((await place(page)).marks, "log");
+  await page.keyboard.press("]");
+  await page.locator(".notice").getByText(/^log ·/).waitFor();
+  await page.selectOption("#mark-kind", "contact");
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.keyboard.press("]");
+  await page.locator(".notice").getByText(/^contact ·/).waitFor();
+  await page.selectOption("#mark-kind", "");
+  await page.keyboard.press("v");
+});
+
+test("vehicles are coloured by a number that a model publishes", async () => {
+  await page.selectOption("#colour-by", { label: "neighbors" });
+  await page.keyboard.press("End");
+  // Values come with the frames, for those that publish the number: ten of all.
+  await until(page, () => window.simbeeotic.frame().values?.filter(Number.isFinite).length === 10);
+  await page.locator("#legend .ramp").waitFor();
+  assert.match(await page.textContent("#legend"), /no value/);
+  await page.selectOption("#colour-by", "kind");
+  assert.match(await page.textContent("#legend"), /forager-bee40/);
+});
+
+test("a kind in the legend lists its vehicles", async () => {
+  await page.locator("#legend").getByText("balloon").click();
+  await until(page, () => document.getElementById("search").value === "balloon" && document.querySelectorAll("#panel-vehicles .row").length === 8);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+});
+
 test("the selected vehicle is told about at the time that is shown", async () => {
   await page.keyboard.press("/");
   await page.keyboard.type("scout-3");
@@ -126,13 +165,11 @@ test("a link restores the view in another tab", async () => {
   await page.keyboard.press("f");
   await page.selectOption("#colour-by", "speed");
   await page.keyboard.press("d");
-  // Where the camera goes it is at last.
-  await page.waitForFunction(() => {
-    const now = JSON.stringify(window.simbeeotic.place().camera);
-    const same = window.camera === now;
-    window.camera = now;
-    return same;
-  }, null, { polling: 2000 });
+  await page.keyboard.press("g");
+  await page.locator("#chart-chooser").getByLabel("contacts").setChecked(true);
+  await page.locator("#chart-chooser").getByLabel("charge (mean)").setChecked(false);
+  await page.keyboard.press("Escape");
+  await rest(page);
   await page.click("#copy-link");
   await until(page, () => location.hash.length > 1);
   const link = page.url();
@@ -141,9 +178,13 @@ test("a link restores the view in another tab", async () => {
   const other = await open(browser, link);
   await until(other, (t) => Math.abs(window.simbeeotic.time_s() - t) < 1e-6, here.t_s);
   const there = await place(other);
-  for (const part of ["select", "follow", "layers", "colour", "theme"]) assert.deepEqual(there[part], here[part], part);
+  for (const part of ["select", "follow", "layers", "colour", "theme", "charts", "panels"]) assert.deepEqual(there[part], here[part], part);
   const same = (camera) => camera.from.every((x, k) => Math.abs(x - window.simbeeotic.place().camera.from[k]) < 0.5);
   await until(other, same, here.camera);
+  // The same to the eye, too.
+  await rest(other);
+  const pictures = [page, other].map((tab) => tab.locator("#scene").screenshot({ animations: "disabled" }));
+  assert.equal(await verdict(page, ...(await Promise.all(pictures))), "");
   assert.deepEqual(other.faults, []);
   await other.context().close();
 });
@@ -172,6 +213,14 @@ test("the help sheet shows the keys, and goes again", async () => {
   await page.keyboard.press("?");
   const help = page.locator("#help");
   await help.waitFor();
+  // All that has a key on the page is on the sheet.
+  const missing = await page.evaluate(() => {
+    const names = { " ": "Space", Escape: "Esc" };
+    const listed = [...document.querySelectorAll("#help kbd")].map((it) => it.textContent);
+    const keys = [...document.querySelectorAll("[aria-keyshortcuts]")].map((it) => it.getAttribute("aria-keyshortcuts"));
+    return keys.map((key) => names[key] ?? key.replace("Shift+", "Shift ")).filter((key) => !listed.includes(key));
+  });
+  assert.deepEqual(missing, []);
   assert.match(await help.textContent(), /next mark/);
   await page.keyboard.press("Escape");
   await help.waitFor({ state: "hidden" });
@@ -236,5 +285,12 @@ test("the picture is the one that is kept, within a tolerance", async () => {
   await other.evaluate(() => window.dispatchEvent(new Event("resize")));
   await drawn(other, count);
   await compare(other, "meadow");
+  // Another picture is refused: without the world, and some metres to the side.
+  for (const wrong of ["#layers=grid", "#layers=grid,world&camera=34,-36,26,0,4,4"]) {
+    await other.evaluate((hash) => (location.hash = hash), wrong);
+    await rest(other);
+    const seen = await other.locator("#scene").screenshot({ animations: "disabled" });
+    assert.notEqual(await verdict(other, kept("meadow"), seen), "", wrong);
+  }
   await other.context().close();
 });

@@ -1,7 +1,7 @@
 // Fingers on the picture, and a graphics card that takes the picture away, in a real browser.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { PATIENCE_MS, launch, open, place, scenario, serve, still, until } from "./browser.mjs";
+import { launch, open, place, rest as atRest, scenario, serve, still, until } from "./browser.mjs";
 import { difference } from "./pictures.mjs";
 
 let browser, run, page, touch;
@@ -21,25 +21,13 @@ after(async () => {
   await run?.kill();
 });
 
-const camera = async () => (await place(page)).camera;
 const distance = ({ from, at }) => Math.hypot(...from.map((x, k) => x - at[k]));
 const moved = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 
-/** Waits until the camera has arrived, and nothing is drawn any more: what stands costs nothing, selected or not. */
+/** The camera, once it has arrived and nothing is drawn any more. */
 async function rest() {
-  await page.evaluate(() => (window.before = ""));
-  await page.waitForFunction(
-    () => {
-      const { place, stats } = window.simbeeotic;
-      const now = JSON.stringify([place().camera, stats().drawn]);
-      const same = window.before === now;
-      window.before = now;
-      return same;
-    },
-    null,
-    { polling: 400, timeout: PATIENCE_MS },
-  );
-  return camera();
+  await atRest(page);
+  return (await place(page)).camera;
 }
 
 /** Fingers go from places to others, in steps, and leave. */
