@@ -6,7 +6,8 @@ use simbeeotic_kernel::SimTime;
 use simbeeotic_record::{Recording, Stage, publish};
 use simbeeotic_units::{Angle, AngularRate, did_you_mean};
 use simbeeotic_view::render::{
-    Choices, ColourBy, Film, Fit, Frames, Gif, Mp4, Picture, RenderError, Side, View, write_png,
+    Choices, ColourBy, DRAWN_MAX, Film, Fit, Frames, Gif, Mp4, Picture, RenderError, Side, View,
+    write_png,
 };
 use std::fs::File;
 use std::io::BufWriter;
@@ -92,13 +93,17 @@ impl<'a> Job<'a> {
             Some(text) => input::time("--trails", text)?.get(),
             None => 0.0,
         };
-        let fineness = options
-            .fineness
-            .unwrap_or(if form == Form::Still { 2 } else { 1 });
+        let size = size(&options.size)?;
+        // Finer as long as that is not too much for the memory.
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        let own = match form {
+            Form::Still if 4 * pixels <= DRAWN_MAX => 2,
+            _ => 1,
+        };
+        let fineness = options.fineness.unwrap_or(own);
         if !(1..=4).contains(&fineness) {
             return Err(Failure::input(format!("--fineness {fineness}: 1 to 4")));
         }
-        let size = size(&options.size)?;
         if form == Form::Mp4 && size.iter().any(|side| !side.is_multiple_of(2)) {
             return Err(Failure::input(format!(
                 "--size {}: an .mp4 has an even number of pixels, both ways",
@@ -111,6 +116,7 @@ impl<'a> Job<'a> {
             dark: options.dark && !options.light,
             view: view(options)?,
             fit: fit(&options.fit)?,
+            models: options.models.clone(),
             follow: options.follow.clone(),
             zoom: positive("--zoom", options.zoom, 1e4)?,
             field_of_view_rad: angle_within(
@@ -123,6 +129,8 @@ impl<'a> Job<'a> {
             labels: options.labels,
             links: options.links,
             packets: options.packets,
+            beams: options.beams.clone(),
+            grid: !options.no_grid,
             captions: !options.plain,
             speed,
         };

@@ -10,6 +10,7 @@ Examples:
   simbeeotic render run.mcap --video film.mp4 --view orbit --turn \"10 deg/s\" --speed 4
   simbeeotic render run.mcap --video film.gif --from \"10 s\" --to \"20 s\" --size 480x270
   simbeeotic render run.mcap --video film.mp4 --follow bee-3 --view orbit --zoom 2
+  simbeeotic render run.mcap --models 'scout-*' --beams 'scout-*' --follow scout-1 --view orbit -o rays.png
   simbeeotic render run.mcap --eye -10,-10,8 --look-at 0,0,2 -o frame.png
 
 --view top, north, south, east and west have no perspective and a scale; north is as seen from the north.
@@ -177,6 +178,14 @@ pub(super) struct RenderOptions {
         help_heading = "Picture"
     )]
     pub(super) colour_by: String,
+    /// Only vehicles whose path matches: 'bee-*', or several, 'bee-1*,hive'
+    #[arg(
+        long,
+        value_name = "PATTERN",
+        value_delimiter = ',',
+        help_heading = "Picture"
+    )]
+    pub(super) models: Vec<String>,
     /// Draw where each has been in this time: "5 s"
     #[arg(
         long,
@@ -194,6 +203,17 @@ pub(super) struct RenderOptions {
     /// Draw packets on their way, if they were recorded
     #[arg(long, help_heading = "Picture")]
     pub(super) packets: bool,
+    /// Draw what the sensors of vehicles look along, as far as they were recorded to measure: 'scout-*'
+    #[arg(
+        long,
+        value_name = "PATTERN",
+        value_delimiter = ',',
+        help_heading = "Picture"
+    )]
+    pub(super) beams: Vec<String>,
+    /// No lines on the ground
+    #[arg(long, help_heading = "Picture")]
+    pub(super) no_grid: bool,
     /// Leave out time, scale and what colours mean
     #[arg(long, help_heading = "Picture")]
     pub(super) plain: bool,

@@ -207,10 +207,11 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
                 .join(" ")
         })
         .collect();
-    let [first, .., limit, paper] = &kinds[..] else {
+    let [first, .., limit, paper, goal] = &kinds[..] else {
         panic!("{kinds:?}")
     };
-    assert_eq!(kinds.len(), 6, "{kinds:?}");
+    assert_eq!(kinds.len(), 7, "{kinds:?}");
+    assert_eq!(goal, "paper goal 1000 ");
     assert_eq!(
         (first.as_str(), paper.as_str()),
         ("measured row 10 1", "paper limit 3074 ")
@@ -232,6 +233,7 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
         ["100", "100", "1"]
     );
     assert!(get(paper, "cpu").contains("2.2 GHz"));
+    assert!(get(paper, "note").contains("section 5.1"));
 
     let file = File::open(program.path("figures/seven/fig7.parquet")).expect("Parquet");
     let reader = SerializedFileReader::new(file).expect("Parquet");
@@ -254,17 +256,22 @@ fn the_plot_has_dashed_limits_and_both_sources() {
     let program = Program::new();
     let tiny = ["--duration", "0.2 s", "--repeat", "1", "--within", "1 ms"];
     for (figure, sizes, paper) in [
-        ("fig6", ["--obstacles", "10"], "Paper (2012)"),
+        (
+            "fig6",
+            ["--obstacles", "10"],
+            "Paper (IPSN 2012, section 5.1",
+        ),
         ("fig7", ["--n", "5,20"], "paper: 3,074"),
         ("fig8", ["--n", "5,20"], "paper: 550"),
     ] {
         let call = bench(&program, &[&[figure], &sizes[..], &tiny].concat());
-        for ending in ["csv", "parquet", "svg", "png"] {
-            let file = format!("out/{figure}/{figure}.{ending}");
+        for ending in [".csv", ".parquet", ".svg", ".png", "-log.svg", "-log.png"] {
+            let file = format!("out/{figure}/{figure}{ending}");
             assert!(call.err.contains(&format!("wrote {file}")), "{}", call.err);
             assert!(program.path(&file).exists(), "{file}");
         }
-        let picture = format!("out/{figure}/{figure}.svg");
+        // Logarithmic axes have the level of real time in any case.
+        let picture = format!("out/{figure}/{figure}-log.svg");
         let svg = std::fs::read_to_string(program.path(&picture)).expect("SVG");
         assert!(svg.contains("stroke-dasharray"), "{figure}");
         for words in [

@@ -1,72 +1,106 @@
 //! What is behind all things: the sky, the ground and a grid of metres on it.
 
 use super::camera::{Camera, Lens};
-use super::light::{Theme, mix};
-use super::raster::Tile;
-use simbeeotic_units::glam::DVec3;
+use super::ground;
+use super::light::{Haze, Theme, light_of};
+use super::visible::{CUT, GROUND, SKY};
+use simbeeotic_units::glam::{DVec3, Vec3};
 
-/// How strong the lines of the grid are at most, and how wide, pixels.
-const STRONG: f64 = 0.34;
-const WIDTH: f64 = 1.2;
+/// How strong the lines of the grid are at most: of one cell, of ten, of a hundred.
+const STRONG: [f64; 3] = [0.17, 0.34, 0.42];
+/// How wide they are, pixels.
+const WIDTH: f64 = 1.1;
 /// Cells of the grid that are narrower than this fade, pixels.
 const CELL_LEAST: f64 = 5.0;
 const CELL_FULL: f64 = 24.0;
+/// How strong the lines to the east and to the north through the origin are, and their colours.
+const AXIS_STRONG: f64 = 0.5;
+const AXES: [Vec3; 2] = [Vec3::new(0.75, 0.16, 0.1), Vec3::new(0.1, 0.42, 0.16)];
+
+/// What there is to know of the ground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ground {
+    /// Whether the plane `z = 0` is ground.
+    pub(super) plane: bool,
+    /// How far the world reaches, m.
+    pub(super) radius_m: f64,
+    /// Edge of the grid's cells, m; none: there is no grid.
+    pub(super) cell_m: Option<f64>,
+}
 
 /// Sky and ground as one camera sees them.
 pub(super) struct Backdrop {
     camera: Camera,
     theme: Theme,
+    haze: Option<Haze>,
     middle: [f64; 2],
-    /// Whether the plane `z = 0` is ground.
-    plane: bool,
-    /// Edge of the grid's cells, m, and how many of them make a larger one.
-    cell_m: f64,
+    ground: Ground,
     /// Pixels of this picture for each of the finished one.
     times: f64,
-    /// Where the ground has half the colour of the horizon, m.
-    haze_m: f64,
 }
 
 impl Backdrop {
     pub(super) fn new(
         camera: Camera,
         theme: Theme,
+        haze: Option<Haze>,
         size: [usize; 2],
-        plane: bool,
-        cell_m: f64,
+        ground: Ground,
         times: f64,
-        haze_m: f64,
     ) -> Self {
         Self {
             camera,
             theme,
+            haze: haze.filter(|_| matches!(camera.lens, Lens::Perspective { .. })),
             middle: size.map(|side| 0.5 * side as f64),
-            plane,
-            cell_m,
+            ground,
             times,
-            haze_m,
         }
     }
 
-    /// Fills a tile.
-    pub(super) fn fill(&self, tile: &mut Tile) {
-        let (near, slope) = self.ground_near();
-        for y in 0..tile.height {
-            for x in 0..tile.width {
-                let place = [(tile.left + x) as f64 + 0.5, (tile.top + y) as f64 + 0.5];
-                let from = [place[0] - self.middle[0], place[1] - self.middle[1]];
-                let near = near + slope[0] * from[0] + slope[1] * from[1];
-                match self.ground(from, near) {
-                    Some(rgb) => {
-                        let slope = slope.map(|s| s as f32);
-                        tile.fill(x, y, rgb, near as f32, slope);
-                    }
-                    None => {
-                        tile.fill(x, y, self.sky(from), f32::NEG_INFINITY, [0.0; 2]);
-                    }
+    /// What is behind everything at a place of the picture, and how near it is, with how that grows to the right
+    /// and down, a pixel.
+    pub(super) fn behind(&self, place: [f64; 2]) -> (u32, [f32; 3]) {
+        const FAR: [f32; 3] = [f32::NEG_INFINITY, 0.0, 0.0];
+        if !self.ground.plane {
+            return (SKY, FAR);
+        }
+        let from = self.from(place);
+        let Camera {
+            eye_m,
+            right,
+            down,
+            forward,
+            lens,
+        } = self.camera;
+        match lens {
+            Lens::Flat { .. } if forward.z.abs() < 1e-6 => {
+                // From the side, all below zero is ground.
+                let (start, _) = self.sight(from);
+                (if start.z < 0.0 { CUT } else { SKY }, FAR)
+            }
+            // A little lower than it is, so that what lies on it is seen.
+            Lens::Flat { scale } => {
+                let [x, y] = [right, down].map(|axis| axis.z / forward.z / scale);
+                let near = eye_m.z / forward.z - 1e-3 + x * from[0] + y * from[1];
+                (GROUND, [near, x, y].map(|part| part as f32))
+            }
+            Lens::Perspective { focal } => {
+                let above = -eye_m.z * 1.000_5;
+                let [x, y] = [right, down].map(|axis| axis.z / above / focal);
+                let near = forward.z / above + x * from[0] + y * from[1];
+                // From below, the ground is not seen.
+                match near > 0.0 && eye_m.z > 0.0 {
+                    true => (GROUND, [near, x, y].map(|part| part as f32)),
+                    false => (SKY, FAR),
                 }
             }
         }
+    }
+
+    /// A place from the middle of the picture.
+    fn from(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - self.middle[0], y - self.middle[1]]
     }
 
     /// The line of sight through a place of the picture: where it begins, and its direction.
@@ -84,78 +118,78 @@ impl Backdrop {
         }
     }
 
-    /// How near the ground is in the middle of the picture, and how that grows to the right and down, a
-    /// pixel: the inverse of the depth, or its negative. Below zero, with perspective: no ground.
-    fn ground_near(&self) -> (f64, [f64; 2]) {
-        let Camera {
-            eye_m,
-            right,
-            down,
-            forward,
-            lens,
-        } = self.camera;
-        // A little lower than it is, so that what lies on it is seen.
-        match lens {
-            Lens::Flat { scale } if forward.z.abs() > 1e-6 => {
-                let depth = |above: f64| above / forward.z - 1e-3;
-                let slope = |axis: DVec3| axis.z / forward.z / scale;
-                (depth(eye_m.z), [slope(right), slope(down)])
-            }
-            Lens::Flat { .. } => (f64::NEG_INFINITY, [0.0; 2]),
-            Lens::Perspective { focal } => {
-                let above = -eye_m.z * 1.000_5;
-                (
-                    forward.z / above,
-                    [right.z / above / focal, down.z / above / focal],
-                )
-            }
+    /// What is so near at a place of the picture, m; the direction in which it is seen; how far it is along the
+    /// line of sight; and how wide a pixel is there, across the line of sight, m.
+    pub(super) fn point(&self, place: [f32; 2], near: f32) -> (DVec3, DVec3, f64, f64) {
+        let (start, sight) = self.sight(self.from(place.map(f64::from)));
+        let near = f64::from(near);
+        let (depth, pixel) = match self.camera.lens {
+            Lens::Flat { scale } => (-near, 1.0 / scale),
+            Lens::Perspective { focal } => (1.0 / near, 1.0 / near / focal),
+        };
+        (start + sight * depth, sight, depth, pixel)
+    }
+
+    /// The light of what is behind everything; `sun` says how much of the sun reaches a place, 0 to 1. With it,
+    /// that share.
+    pub(super) fn light(
+        &self,
+        what: u32,
+        place: [f32; 2],
+        sun: impl FnOnce(DVec3) -> f32,
+    ) -> (Vec3, f32) {
+        let from = self.from(place.map(f64::from));
+        match what {
+            GROUND => self.plane(from, sun),
+            CUT => (light_of(self.theme.ground) * self.theme.tone * 0.5, 1.0),
+            _ => (self.sky(from), 1.0),
         }
     }
 
-    /// The ground's colour at a place of the picture; `None` where there is none.
-    fn ground(&self, from: [f64; 2], near: f64) -> Option<[u8; 3]> {
-        if !self.plane {
-            return None;
-        }
+    fn plane(&self, from: [f64; 2], sun: impl FnOnce(DVec3) -> f32) -> (Vec3, f32) {
         let (start, sight) = self.sight(from);
-        let Lens::Perspective { focal } = self.camera.lens else {
-            if sight.z.abs() < 1e-6 {
-                // From the side, all below zero is ground.
-                return (start.z < 0.0).then_some(self.theme.ground);
-            }
-            let scale = match self.camera.lens {
-                Lens::Flat { scale } => scale,
-                Lens::Perspective { focal } => focal,
-            };
-            let point = start - sight * (start.z / sight.z);
-            let step = 1.0 / scale;
-            return Some(self.gridded(point, [step; 2], 1.0));
-        };
-        // From below, the ground is not seen.
-        if near <= 0.0 || self.camera.eye_m.z <= 0.0 {
-            return None;
-        }
-        let depth = 1.0 / near;
+        let depth = -start.z / sight.z;
         let point = start + sight * depth;
-        // How far a pixel to the right and one down lead on the ground.
-        let step = |axis: DVec3| {
-            let other = sight + axis / focal;
-            let further = -start.z / other.z;
-            let step = other * further - sight * depth;
-            [step.x.abs(), step.y.abs()]
+        let steps = match self.camera.lens {
+            Lens::Flat { scale } => [1.0 / scale; 2],
+            // How far a pixel to the right and one down lead on the ground.
+            Lens::Perspective { focal } => {
+                let step = |axis: DVec3| {
+                    let other = sight + axis / focal;
+                    let step = other * (-start.z / other.z) - sight * depth;
+                    [step.x.abs(), step.y.abs()]
+                };
+                let (a, b) = (step(self.camera.right), step(self.camera.down));
+                [a[0] + b[0], a[1] + b[1]]
+            }
         };
-        let (a, b) = (step(self.camera.right), step(self.camera.down));
-        let steps = [a[0] + b[0], a[1] + b[1]];
-        let share = depth / (depth + self.haze_m);
-        let clear = 1.0 - share * share;
-        let own = self.gridded(point, steps, clear);
-        Some(mix(self.theme.horizon, own, clear as f32))
+        let pixel = steps[0].max(steps[1]);
+        let mut own = light_of(self.theme.ground)
+            * (self.theme.tone * ground::uneven([point.x, point.y], pixel));
+        // Beyond the edge of the world the ground pales.
+        let beyond = point.truncate().length() > self.ground.radius_m;
+        if beyond {
+            let grey = own.dot(Vec3::new(0.3, 0.6, 0.1)) * 0.75;
+            own = own.lerp(Vec3::splat(grey), 0.6);
+        }
+        let sun = sun(point);
+        let lit = self.theme.lit(own, Vec3::Z, sun);
+        let lit = self.gridded(lit, point, steps, if beyond { 0.4 } else { 1.0 });
+        let lit = match self.haze {
+            Some(haze) => haze.over(lit, depth as f32),
+            None => lit,
+        };
+        (lit, sun)
     }
 
-    /// The ground with its lines; `steps`: metres a pixel along east and north.
-    fn gridded(&self, point: DVec3, steps: [f64; 2], strong: f64) -> [u8; 3] {
+    /// Ground with its lines; `steps`: metres a pixel along east and north.
+    pub(super) fn gridded(&self, own: Vec3, point: DVec3, steps: [f64; 2], strong: f64) -> Vec3 {
+        let Some(cell_m) = self.ground.cell_m else {
+            return own;
+        };
         let mut line = 0.0_f64;
-        for (cell, weight) in [(self.cell_m, 0.5), (10.0 * self.cell_m, 1.0)] {
+        let mut cell = cell_m;
+        for weight in STRONG {
             for (at, step) in [(point.x, steps[0]), (point.y, steps[1])] {
                 let step = step.max(1e-12);
                 let pixels = cell / step / self.times;
@@ -164,34 +198,38 @@ impl Backdrop {
                     continue;
                 }
                 let off = (at / cell - (at / cell).round()).abs() * cell / step;
-                let cover = (0.5 + 0.5 * WIDTH * self.times - off).clamp(0.0, 1.0);
-                line = line.max(cover * shown * weight);
+                line = line.max(self.cover(off) * shown * weight);
             }
+            cell *= 10.0;
         }
-        mix(
-            self.theme.ground,
-            self.theme.grid,
-            (line * STRONG * strong) as f32,
-        )
+        let mut light = own.lerp(self.theme.grid, (line * strong) as f32);
+        for (axis, (at, step)) in [(point.y, steps[1]), (point.x, steps[0])]
+            .into_iter()
+            .enumerate()
+        {
+            let cover = self.cover(at.abs() / step.max(1e-12)) * AXIS_STRONG * strong;
+            light = light.lerp(AXES[axis], cover as f32);
+        }
+        light
     }
 
-    /// The sky: lighter towards the horizon, and the same below it where there is no ground.
-    fn sky(&self, from: [f64; 2]) -> [u8; 3] {
-        let up = match self.camera.lens {
-            Lens::Flat { .. } if self.camera.forward.z.abs() > 0.5 => return self.theme.ground,
-            Lens::Flat { .. } => (self.middle[1] - from[1]) / (4.0 * self.middle[1]),
+    /// How much of a pixel a line covers that is so far away, pixels.
+    fn cover(&self, off: f64) -> f64 {
+        (0.5 + 0.5 * WIDTH * self.times - off).clamp(0.0, 1.0)
+    }
+
+    /// The sky, and the same below the horizon where there is no ground.
+    fn sky(&self, from: [f64; 2]) -> Vec3 {
+        match self.camera.lens {
+            Lens::Flat { .. } => {
+                let up = (0.5 - 0.5 * from[1] / self.middle[1]).clamp(0.0, 1.0);
+                (self.theme.horizon).lerp(self.theme.zenith, 0.35 * up as f32)
+            }
             Lens::Perspective { .. } => {
                 let (_, sight) = self.sight(from);
-                sight.z / sight.length()
+                self.theme.sky(sight.normalize().as_vec3())
             }
-        };
-        let share = up.clamp(0.0, 1.0);
-        // Steep at the horizon, even above.
-        mix(
-            self.theme.horizon,
-            self.theme.zenith,
-            (share * (2.0 - share)).sqrt() as f32,
-        )
+        }
     }
 }
 
@@ -207,14 +245,23 @@ pub(super) fn cell_m(pixels_a_metre: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::render::camera::Side;
+    use crate::render::light::bytes_of;
+    use crate::render::visible::Visible;
 
-    fn theme() -> Theme {
-        Theme::new(false, [125, 163, 106, 255])
-    }
-
-    fn drawn(camera: Camera, cell: f64) -> Vec<[u8; 3]> {
-        let mut tile = Tile::new(0, [64, 64]);
-        Backdrop::new(camera, theme(), [64, 64], true, cell, 1.0, 1e9).fill(&mut tile);
+    fn drawn(camera: Camera, cell_m: f64) -> Vec<[u8; 3]> {
+        let theme = Theme::new(false, [125, 163, 106, 255]);
+        let ground = Ground {
+            plane: true,
+            radius_m: 1e6,
+            cell_m: Some(cell_m),
+        };
+        let back = Backdrop::new(camera, theme, None, [64, 64], ground, 1.0);
+        let mut seen = Visible::new(0, [64, 64]);
+        seen.ground(&back);
+        let tile = seen.shaded(|sight| {
+            let (light, _) = back.light(sight.face, sight.at, |_| 1.0);
+            (bytes_of(light), false)
+        });
         tile.pixels().collect()
     }
 
@@ -223,10 +270,9 @@ mod tests {
         let bounds = [DVec3::splat(-1.0), DVec3::splat(1.0)];
         // 32 pixels a metre: lines at the columns 0, 32 and 64, half of their width on each side.
         let pixels = drawn(Camera::flat(Side::Top, bounds, [64, 64], 1.0), 1.0);
-        let row: Vec<bool> = (0..64)
-            .map(|x| pixels[64 * 16 + x] != theme().ground)
-            .collect();
-        let lines: Vec<usize> = (0..64).filter(|x| row[*x]).collect();
+        let light = |x: usize| u32::from(pixels[64 * 16 + x][1]);
+        let plain = light(16);
+        let lines: Vec<usize> = (0..64).filter(|x| light(*x).abs_diff(plain) > 5).collect();
         assert_eq!(lines, [0, 31, 32, 63]);
     }
 
@@ -235,12 +281,13 @@ mod tests {
         let lens = Lens::Perspective { focal: 50.0 };
         let camera = Camera::along(DVec3::new(40.0, 40.0, 2.0), DVec3::X, lens);
         let pixels = drawn(camera, 1e5);
-        let green = |row: usize| pixels[64 * row + 32];
-        assert_eq!(green(60), theme().ground);
-        assert_ne!(green(4), theme().ground);
         // Just above the middle it is sky, just below it is ground.
-        assert!((0..32).all(|row| green(row) != theme().ground));
-        assert!((34..64).all(|row| green(row) == theme().ground));
+        let green = |row: usize| {
+            let [r, g, b] = pixels[64 * row + 32];
+            g > r && g > b
+        };
+        assert!((0..32).all(|row| !green(row)));
+        assert!((34..64).all(green));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Where a picture is taken from, and what of the world falls where on it.
 
+use super::light::{self, Haze};
 use super::raster::{GRID, Triangle};
 use simbeeotic_units::glam::{DVec3, Vec3};
 use simbeeotic_units::math;
@@ -107,6 +108,14 @@ impl Camera {
         }
     }
 
+    /// Pixels a metre as far away as a point is, wherever it is: also beside or behind the camera.
+    pub(super) fn scale_around(&self, point_m: DVec3) -> f64 {
+        match self.lens {
+            Lens::Flat { scale } => scale,
+            Lens::Perspective { focal } => focal / (point_m - self.eye_m).length().max(1e-3),
+        }
+    }
+
     /// The same camera for a picture that is so many times as large.
     pub(super) fn enlarged(self, times: f64) -> Self {
         let lens = match self.lens {
@@ -209,9 +218,8 @@ pub(super) struct Projector {
     middle: [f32; 2],
     /// Nothing nearer is drawn, m.
     near_m: f32,
-    /// Where things have half the colour of the horizon, m; infinite for clear air.
-    haze_m: f32,
-    haze: [u8; 3],
+    /// What the air does; clear if there is none.
+    haze: Option<Haze>,
 }
 
 /// Corners lie within so many pixels of the middle of the picture.
@@ -223,7 +231,7 @@ impl Projector {
         size: [usize; 2],
         origin_m: DVec3,
         near_m: f64,
-        haze: ([u8; 3], f64),
+        haze: Option<Haze>,
     ) -> Self {
         let (scale, flat) = match camera.lens {
             Lens::Flat { scale } => (scale, true),
@@ -239,8 +247,7 @@ impl Projector {
             flat,
             middle: size.map(|side| 0.5 * side as f32),
             near_m: near_m as f32,
-            haze_m: haze.1 as f32,
-            haze: haze.0,
+            haze: haze.filter(|_| !flat),
         }
     }
 
@@ -309,16 +316,14 @@ impl Projector {
 
     /// A colour as it is seen through the air.
     fn hazy(&self, rgba: [u8; 4], seen: Vec3) -> [u8; 4] {
-        if self.flat || !self.haze_m.is_finite() {
+        let Some(haze) = self.haze else { return rgba };
+        let share = haze.share(seen.z);
+        if share <= 0.0 {
             return rgba;
         }
-        let share = (seen.z / (seen.z + self.haze_m)).max(0.0);
-        let share = share * share;
-        let part = |k: usize| {
-            let (own, far) = (f32::from(rgba[k]), f32::from(self.haze[k]));
-            (own + share * (far - own) + 0.5) as u8
-        };
-        [part(0), part(1), part(2), rgba[3]]
+        let [r, g, b, alpha] = rgba;
+        let [r, g, b] = light::mix([r, g, b], light::bytes_of(haze.light), share);
+        [r, g, b, alpha]
     }
 
     /// Adds a triangle of the world, cut off where it leaves what can be drawn.
@@ -439,7 +444,7 @@ mod tests {
         assert_eq!(camera.project(SIZE, DVec3::new(-10.0, 0.0, 0.0)), None);
         // The projector of triangles agrees.
         let origin = DVec3::new(9.0, 9.0, 9.0);
-        let projector = Projector::new(&camera, [800, 600], origin, 0.1, ([0; 3], f64::INFINITY));
+        let projector = Projector::new(&camera, [800, 600], origin, 0.1, None);
         let local = projector.local(DVec3::new(10.0, -5.0, 2.5));
         let ([x, y], scale, near) = projector.place(local).expect("seen");
         assert!((x - 600.0).abs() < 1e-3 && (y - 200.0).abs() < 1e-3);
@@ -474,13 +479,7 @@ mod tests {
     #[test]
     fn what_reaches_behind_the_camera_is_cut_and_not_turned_over() {
         let camera = Camera::along(DVec3::ZERO, DVec3::X, Lens::Perspective { focal: 400.0 });
-        let projector = Projector::new(
-            &camera,
-            [800, 600],
-            DVec3::ZERO,
-            0.1,
-            ([0; 3], f64::INFINITY),
-        );
+        let projector = Projector::new(&camera, [800, 600], DVec3::ZERO, 0.1, None);
         let mut out = Vec::new();
         let corners = [[5.0, 0.0, -1.0], [5.0, -1.0, -1.0], [-50.0, 0.0, -1.0]].map(Vec3::from);
         projector.triangle(corners, [[9; 4]; 3], &mut out);

@@ -1,9 +1,8 @@
 //! What the colour of a vehicle says.
 
 use super::RenderError;
-use super::light;
 use super::motion::Instant;
-use super::swarm::body_colour;
+use super::scales::{self, Scale};
 use simbeeotic_record::{Recording, Vehicle};
 use simbeeotic_units::did_you_mean;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,10 +32,53 @@ impl ColourBy {
             "body" => Self::Body,
             "speed" => Self::Speed,
             "height" => Self::Height,
-            "battery" => Self::Metric("battery/soc".to_owned()),
+            "battery" => Self::Metric(BATTERY.to_owned()),
             other => Self::Metric(other.to_owned()),
         }
     }
+}
+
+/// What batteries record: how full they are.
+const BATTERY: &str = "battery/soc";
+/// Kinds that the key names.
+const NAMES_MAX: usize = 12;
+
+/// The colours that the run gave its vehicles, as far as they tell kinds apart: the first kind of a colour keeps it, the
+/// others get one that can be told from those. As on the page.
+fn of_kinds(vehicles: &[Vehicle]) -> Vec<[u8; 3]> {
+    let own = |vehicle: &Vehicle| match vehicle.color {
+        [_, _, _, 0] => [148; 3],
+        [r, g, b, _] => [r, g, b],
+    };
+    // Kinds in their order, each with its colours.
+    let mut kinds: Vec<(&str, BTreeSet<[u8; 3]>)> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
+    for vehicle in vehicles {
+        let place = *places.entry(&vehicle.kind).or_insert_with(|| {
+            kinds.push((&vehicle.kind, BTreeSet::new()));
+            kinds.len() - 1
+        });
+        kinds[place].1.insert(own(vehicle));
+    }
+    let mut taken: Vec<[u8; 3]> = Vec::new();
+    let mut others: Vec<&str> = Vec::new();
+    for (kind, colours) in &kinds {
+        match colours.iter().any(|colour| taken.contains(colour)) {
+            true => others.push(kind),
+            false => taken.extend(colours),
+        }
+    }
+    let mut palette: BTreeMap<&str, [u8; 3]> = BTreeMap::new();
+    for kind in others {
+        let colour = scales::kind(&taken, palette.len());
+        taken.push(colour);
+        palette.insert(kind, colour);
+    }
+    let colour = |vehicle: &Vehicle| match palette.get(vehicle.kind.as_str()) {
+        Some(colour) => *colour,
+        None => own(vehicle),
+    };
+    vehicles.iter().map(colour).collect()
 }
 
 /// Colours of a recording's vehicles, at any time of it.
@@ -58,6 +100,7 @@ pub(super) enum Key {
         title: String,
         low: f64,
         high: f64,
+        scale: Scale,
     },
 }
 
@@ -72,46 +115,36 @@ impl Colours {
     pub(super) fn new(
         by: &ColourBy,
         recording: &Recording,
+        shown: &[bool],
         times_ns: &RangeInclusive<u64>,
         extremes: Extremes,
     ) -> Result<Self, RenderError> {
         let vehicles = recording.vehicles();
-        // Those that are drawn as their body keep its colour, whatever the others say.
-        let flyers = || vehicles.iter().filter(|v| body_colour(v).is_none());
-        let mut kinds: Vec<&str> = Vec::new();
-        for vehicle in flyers() {
-            if !kinds.contains(&vehicle.kind.as_str()) {
-                kinds.push(&vehicle.kind);
-            }
-        }
-        // The largest kind comes first, in the colour of bees.
-        kinds.sort_by_key(|kind| std::cmp::Reverse(flyers().filter(|v| v.kind == *kind).count()));
-        let kind_of = |vehicle: &Vehicle| {
-            let place = kinds.iter().position(|kind| *kind == vehicle.kind);
-            light::kind(place.unwrap_or(0))
-        };
-        let own = |vehicle: &Vehicle| match (by, vehicle.color) {
+        let kinds = of_kinds(vehicles);
+        let own = |(vehicle, kind): (&Vehicle, &[u8; 3])| match (by, vehicle.color) {
             (ColourBy::Body, [r, g, b, alpha]) if alpha > 0 => [r, g, b],
-            _ => kind_of(vehicle),
+            _ => *kind,
         };
         let scale = |title: &str, [low, high]: [f64; 2]| Key::Scale {
             title: title.to_owned(),
             low,
             high,
+            scale: match by {
+                ColourBy::Speed => Scale::Speed,
+                ColourBy::Metric(name) if name == BATTERY => Scale::Battery,
+                _ => Scale::Value,
+            },
         };
         let mut series = Vec::new();
         let key = match by {
             ColourBy::Kind => {
-                let flying = kinds.iter().enumerate();
-                let mut names: Vec<(String, [u8; 3])> = flying
-                    .map(|(place, kind)| ((*kind).to_owned(), light::kind(place)))
-                    .collect();
-                let mut known = BTreeSet::new();
-                for vehicle in vehicles {
-                    if let Some([r, g, b, _]) = body_colour(vehicle)
-                        && known.insert((vehicle.kind.as_str(), [r, g, b]))
-                    {
-                        names.push((vehicle.kind.clone(), [r, g, b]));
+                let mut names: Vec<(String, [u8; 3])> = Vec::new();
+                let drawn = vehicles.iter().zip(&kinds).zip(shown);
+                for ((vehicle, rgb), _) in drawn.filter(|(_, shown)| **shown) {
+                    let known =
+                        |(kind, colour): &(String, _)| *kind == vehicle.kind && colour == rgb;
+                    if names.len() < NAMES_MAX && !names.iter().any(known) {
+                        names.push((vehicle.kind.clone(), *rgb));
                     }
                 }
                 match names.len() {
@@ -132,18 +165,21 @@ impl Colours {
             ColourBy::Metric(name) => {
                 let (found, unit) = metric(recording, name)?;
                 series = found;
-                let shown = series
-                    .iter()
-                    .flatten()
-                    .filter(|(t, _)| times_ns.contains(t));
-                let values: Vec<f64> = match shown.clone().next() {
-                    Some(_) => shown.map(|(_, value)| *value).collect(),
-                    None => series.iter().flatten().map(|(_, value)| *value).collect(),
+                let drawn = || {
+                    let lists = series.iter().zip(shown).filter(|(_, shown)| **shown);
+                    lists.flat_map(|(list, _)| list)
+                };
+                let now: Vec<f64> = (drawn().filter(|(t, _)| times_ns.contains(t)))
+                    .map(|(_, value)| *value)
+                    .collect();
+                let values = match now.is_empty() {
+                    true => drawn().map(|(_, value)| *value).collect(),
+                    false => now,
                 };
                 let low = values.iter().copied().fold(f64::INFINITY, f64::min);
                 let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
                 let range = match (name.as_str(), low, high) {
-                    ("battery/soc", ..) => [0.0, 1.0],
+                    (BATTERY, ..) => [0.0, 1.0],
                     (_, low, high) if low >= 0.0 => [0.0, round_up(high)],
                     (_, low, high) => {
                         let step = round_up(high - low) / 10.0;
@@ -151,7 +187,7 @@ impl Colours {
                     }
                 };
                 let title = match (name.as_str(), unit.as_str()) {
-                    ("battery/soc", _) => "state of charge".to_owned(),
+                    (BATTERY, _) => "state of charge".to_owned(),
                     (name, "" | "1") => name.to_owned(),
                     (name, unit) => format!("{name}, {unit}"),
                 };
@@ -160,7 +196,7 @@ impl Colours {
         };
         Ok(Self {
             by: by.clone(),
-            own: vehicles.iter().map(own).collect(),
+            own: vehicles.iter().zip(&kinds).map(own).collect(),
             series,
             key,
         })
@@ -168,9 +204,11 @@ impl Colours {
 
     /// The colour of each.
     pub(super) fn at(&self, instant: &Instant, time_ns: u64) -> Vec<[u8; 3]> {
-        let (low, high) = match &self.key {
-            Key::Scale { low, high, .. } => (*low, *high),
-            _ => return self.own.clone(),
+        let Key::Scale {
+            low, high, scale, ..
+        } = self.key
+        else {
+            return self.own.clone();
         };
         let share = |value: f64| (value - low) / (high - low).max(1e-12);
         let value = |at: usize| match &self.by {
@@ -182,7 +220,7 @@ impl Colours {
             }),
         };
         (0..self.own.len())
-            .map(|at| light::ramp(share(value(at).unwrap_or(f64::NAN))))
+            .map(|at| scale.colour(share(value(at).unwrap_or(f64::NAN))))
             .collect()
     }
 }
@@ -243,7 +281,7 @@ fn metric(recording: &Recording, name: &str) -> Result<(Series, String), RenderE
     };
     Err(RenderError::UnknownMetric {
         name: match name {
-            "battery/soc" => "battery".to_owned(),
+            BATTERY => "battery".to_owned(),
             other => other.to_owned(),
         },
         help,
@@ -285,6 +323,7 @@ mod tests {
         let bee = |kind: &str| Vehicle {
             path: kind.to_owned(),
             kind: kind.to_owned(),
+            color: [250, 200, 60, 255],
             ..Vehicle::default()
         };
         let header = Header {
@@ -298,11 +337,12 @@ mod tests {
             speed_m_s: 1.0,
             height_m: [0.0, 1.0],
         };
-        let colours = Colours::new(&ColourBy::Kind, &recording, &(0..=0), extremes);
+        let colours = Colours::new(&ColourBy::Kind, &recording, &[true; 3], &(0..=0), extremes);
+        // The first of a colour keeps it.
         let wanted = [
-            ("worker", light::kind(0)),
-            ("scout", light::kind(1)),
             ("charging-hive", [200, 120, 40]),
+            ("worker", [250, 200, 60]),
+            ("scout", scales::kind(&[[200, 120, 40], [250, 200, 60]], 0)),
         ];
         let wanted = wanted.map(|(kind, rgb)| (kind.to_owned(), rgb));
         assert_eq!(colours.expect("colours").key, Key::Names(wanted.into()));

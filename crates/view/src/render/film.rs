@@ -3,15 +3,17 @@
 use super::RenderError;
 use super::air::Air;
 use super::backdrop::cell_m;
+use super::beams::Beams;
 use super::camera::{Camera, Lens, Side, focal, from_bearing};
 use super::colours::{ColourBy, Colours, Extremes};
 use super::light::Theme;
 use super::motion::{Instant, Reel, seconds};
 use super::overlay::Overlay;
-use super::painter::{Painter, Picture};
+use super::painter::{Painter, Picture, Scenery};
+use super::skins::Skins;
 use super::solid;
 use super::swarm::{Figure, Swarm};
-use simbeeotic_record::{Recording, Stage};
+use simbeeotic_record::{Recording, Selection, Stage};
 use simbeeotic_units::did_you_mean;
 use simbeeotic_units::glam::DVec3;
 use std::ops::RangeInclusive;
@@ -62,6 +64,8 @@ pub struct Choices {
     pub view: View,
     /// What has to be seen.
     pub fit: Fit,
+    /// Patterns of the paths of the vehicles that are drawn, as [`Selection`] has them; none: all of them.
+    pub models: Vec<String>,
     /// Path of the vehicle that stays in the middle.
     pub follow: Option<String>,
     /// How many times as large as it would fit.
@@ -78,6 +82,10 @@ pub struct Choices {
     pub links: bool,
     /// Whether packets are drawn.
     pub packets: bool,
+    /// Patterns of the paths of the vehicles whose sensors' rays are drawn; none: of nobody.
+    pub beams: Vec<String>,
+    /// Whether there are lines on the ground.
+    pub grid: bool,
     /// Whether there is time, scale and key.
     pub captions: bool,
     /// Virtual seconds for each second of the film.
@@ -93,6 +101,7 @@ impl Default for Choices {
             dark: false,
             view: View::Side(Side::Top),
             fit: Fit::Swarm,
+            models: Vec::new(),
             follow: None,
             zoom: 1.0,
             field_of_view_rad: 50_f64.to_radians(),
@@ -101,6 +110,8 @@ impl Default for Choices {
             labels: false,
             links: false,
             packets: false,
+            beams: Vec::new(),
+            grid: true,
             captions: true,
             speed: 1.0,
         }
@@ -119,10 +130,14 @@ pub struct Film<'a> {
     figures: Vec<Figure>,
     colours: Colours,
     air: Air,
+    beams: Beams,
     followed: Option<usize>,
     bounds_m: [DVec3; 2],
     name: String,
 }
+
+/// Pixels that are drawn at most, before several become one: some gigabytes of memory.
+pub const DRAWN_MAX: u64 = 1 << 26;
 
 /// How much of the picture what there is may fill.
 const FILL: f64 = 0.86;
@@ -133,7 +148,8 @@ impl<'a> Film<'a> {
     /// Prepares pictures at times of a range, ns. Reads the ticks between them, to know what moves where.
     ///
     /// # Errors
-    /// If the times lie outside the recording; a vehicle or metric is unknown; the recording cannot be read.
+    /// If the times lie outside the recording; a vehicle or metric is unknown; more than [`DRAWN_MAX`] pixels had to be
+    /// drawn; the recording cannot be read.
     pub fn new(
         recording: &'a Recording,
         stage: &Stage,
@@ -144,6 +160,17 @@ impl<'a> Film<'a> {
         let sides = 16..=8192;
         if !choices.size.iter().all(|side| sides.contains(side)) {
             return Err(RenderError::Size(choices.size));
+        }
+        let fineness = choices.fineness.clamp(1, 4);
+        let [width, height] = choices.size;
+        let drawn = u64::from(width) * u64::from(height) * u64::from(fineness.pow(2));
+        if drawn > DRAWN_MAX {
+            return Err(RenderError::Form(format!(
+                "{width} x {height} pixels, each drawn as {fineness} x {fineness}: that are {} million, and {} \
+                 million are the most; choose a smaller size, or a lower fineness",
+                drawn >> 20,
+                DRAWN_MAX >> 20
+            )));
         }
         let Some(first) = recording.ticks().next().transpose()? else {
             return Err(RenderError::NoTicks(recording.path().to_path_buf()));
@@ -159,7 +186,8 @@ impl<'a> Film<'a> {
         let trail_s = choices.trail_s.max(0.0);
         let mut reel = Reel::open(recording, from_ns, trail_s)?.ok_or_else(|| outside(from_ns))?;
         reel.at(from_ns)?;
-        let figures = Figure::all(recording.vehicles());
+        let shown = matching(recording, &choices.models)?;
+        let figures = Figure::all(recording.vehicles(), &shown);
         let followed = choices
             .follow
             .as_deref()
@@ -187,14 +215,27 @@ impl<'a> Film<'a> {
             [0, 0, 0, 0] => [125, 163, 106, 255],
             own => own,
         };
+        let mut skins = Skins::default();
+        let files = match stage.props.iter().any(|prop| !prop.texture.is_empty()) {
+            true => recording.attachments()?,
+            false => Vec::new(),
+        };
+        let faces = solid::stage(stage, origin_m, |name| skins.place(name, &files));
+        let scenery = Scenery {
+            origin_m,
+            extent_m: extent_m.max(CLOSE_M),
+            reach_m: reach_m(origin_m, [Some(bounds_m), all]),
+            faces,
+            skins,
+            plane: stage.plane,
+            radius_m: stage.radius_m,
+            grid: choices.grid,
+        };
         let painter = Painter::new(
             Theme::new(choices.dark, ground),
-            origin_m,
-            stage.plane,
-            extent_m.max(CLOSE_M),
-            solid::stage(stage, origin_m),
+            scenery,
             choices.size,
-            choices.fineness.clamp(1, 4) as usize,
+            fineness as usize,
         );
         let name = recording.metadata("run").and_then(|run| run.get("name"));
         Ok(Self {
@@ -204,7 +245,11 @@ impl<'a> Film<'a> {
             start_ns: from_ns,
             painter,
             figures,
-            colours: Colours::new(&choices.colour_by, recording, &times_ns, extremes)?,
+            colours: Colours::new(&choices.colour_by, recording, &shown, &times_ns, extremes)?,
+            beams: match choices.beams.is_empty() {
+                true => Beams::default(),
+                false => Beams::read(recording, &matching(recording, &choices.beams)?, &times_ns)?,
+            },
             air: Air::read(recording, &choices, &times_ns)?,
             followed,
             bounds_m,
@@ -238,13 +283,15 @@ impl<'a> Film<'a> {
             instant: &instant,
             figures: &self.figures,
             colours: &colours,
+            by_kind: self.choices.colour_by == ColourBy::Kind,
             least_px: self.least_px(),
-            plane: self.painter.plane,
+            plane: self.painter.scenery.plane,
             past: &self.reel.past,
             present: &present,
             trail_s: self.choices.trail_s,
             links: &links,
             pulses: &pulses,
+            beams: &self.beams.at(&instant, time_ns),
         };
         let picture = self.painter.draw(&camera, |stand| swarm.draw(stand));
         if !(self.choices.captions || self.choices.labels) {
@@ -257,7 +304,8 @@ impl<'a> Film<'a> {
     fn least_px(&self) -> f32 {
         let [width, height] = self.choices.size;
         let side = width.min(height) as f32 / 720.0;
-        let flyers = self.figures.iter().filter(|figure| figure.flies()).count();
+        let flyers = (self.figures.iter()).filter(|figure| figure.shown && figure.flies());
+        let flyers = flyers.count();
         let own = match flyers {
             0..=300 => 6.0,
             301..=2000 => 4.6,
@@ -273,7 +321,10 @@ impl<'a> Film<'a> {
         };
         if self.choices.labels {
             let vehicles = self.recording.vehicles().iter().zip(&instant.places_m);
-            for (vehicle, place) in vehicles {
+            let shown = vehicles
+                .zip(&self.figures)
+                .filter(|(_, figure)| figure.shown);
+            for ((vehicle, place), _) in shown {
                 let radius = vehicle.radius_m * camera.scale_at(*place);
                 if let Some([x, y]) = camera.project(self.choices.size, *place)
                     && (-200.0..9000.0).contains(&x)
@@ -288,8 +339,8 @@ impl<'a> Film<'a> {
             overlay.time(&format!("{:.2} s", instant.time_s), &self.name);
             match camera.lens {
                 Lens::Flat { scale } => overlay.scale(scale),
-                Lens::Perspective { .. } if self.painter.plane => {
-                    overlay.grid(cell_m(camera.scale_at(self.painter.origin_m)));
+                Lens::Perspective { .. } if self.painter.scenery.plane && self.choices.grid => {
+                    overlay.grid(cell_m(camera.scale_around(self.painter.scenery.origin_m)));
                 }
                 Lens::Perspective { .. } => {}
             }
@@ -372,6 +423,34 @@ fn vehicle(recording: &Recording, path: &str) -> Result<usize, RenderError> {
     })
 }
 
+/// Which vehicles' paths match one of the patterns; all, if there is none.
+fn matching(recording: &Recording, patterns: &[String]) -> Result<Vec<bool>, RenderError> {
+    let vehicles = recording.vehicles();
+    let takes = |patterns: &[String]| {
+        let selection = Selection {
+            models: patterns.to_vec(),
+            ..Selection::default()
+        };
+        let shown = vehicles
+            .iter()
+            .map(|vehicle| selection.takes(&vehicle.path));
+        shown.collect::<Vec<bool>>()
+    };
+    for pattern in patterns {
+        if !takes(std::slice::from_ref(pattern)).contains(&true) {
+            // The same words as for a name that nobody has.
+            return vehicle(recording, pattern).map(|_| Vec::new());
+        }
+    }
+    Ok(takes(patterns))
+}
+
+/// From a point to the farthest corner of boxes, m.
+fn reach_m(from: DVec3, boxes: [Option<Box3>; 2]) -> f64 {
+    let far = |[low, high]: Box3| (from - low).abs().max((from - high).abs()).length();
+    boxes.into_iter().flatten().map(far).fold(0.0, f64::max)
+}
+
 type Box3 = [DVec3; 2];
 
 /// Where flyers (or, if there are none, all vehicles) are in a range of time, and how fast.
@@ -385,12 +464,12 @@ fn survey(
         speed_m_s: 0.0,
         height_m: [f64::INFINITY, f64::NEG_INFINITY],
     };
-    let any_flies = figures.iter().any(Figure::flies);
+    let any_flies = (figures.iter()).any(|figure| figure.shown && figure.flies());
     for tick in recording.ticks_in(*times_ns.start()..=u64::MAX) {
         let tick = tick?;
         for (sample, figure) in tick.samples.iter().zip(figures) {
             let place = DVec3::from(sample.position_m);
-            if !place.is_finite() || (any_flies && !figure.flies()) {
+            if !place.is_finite() || !figure.shown || (any_flies && !figure.flies()) {
                 continue;
             }
             let [low, high] = bounds.get_or_insert([place; 2]);

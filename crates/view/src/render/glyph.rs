@@ -148,11 +148,25 @@ pub(super) fn draw(glyph: &Glyph, projector: &Projector, theme: &Theme, out: &mu
     if radius_px < BODY_LEAST * glyph.fineness {
         dart(glyph, projector, theme, (at, near, radius_px), out);
     } else {
-        bee(glyph, projector, radius_m, radius_px >= BODY_FINE, out);
+        bee(
+            glyph,
+            projector,
+            theme,
+            radius_m,
+            radius_px >= BODY_FINE,
+            out,
+        );
     }
 }
 
-fn bee(glyph: &Glyph, projector: &Projector, radius_m: f32, fine: bool, out: &mut Batch) {
+fn bee(
+    glyph: &Glyph,
+    projector: &Projector,
+    theme: &Theme,
+    radius_m: f32,
+    fine: bool,
+    out: &mut Batch,
+) {
     static BEES: OnceLock<[Bee; 2]> = OnceLock::new();
     let [coarse, detailed] = BEES.get_or_init(|| [Bee::new(8, 8), Bee::new(18, 20)]);
     let bee = if fine { detailed } else { coarse };
@@ -169,7 +183,9 @@ fn bee(glyph: &Glyph, projector: &Projector, radius_m: f32, fine: bool, out: &mu
             Tone::Dark => [dark_r, dark_g, dark_b, glyph.alpha],
             Tone::Wing => [0xf4, 0xf7, 0xfa, (u16::from(glyph.alpha) * 150 / 255) as u8],
         };
-        let rgba = facet.normals.map(|normal| light::lit(rgba, turned(normal)));
+        let rgba = facet
+            .normals
+            .map(|normal| theme.body_bytes(rgba, turned(normal)));
         let into = match *tone == Tone::Wing || glyph.alpha < 255 {
             true => &mut out.glass,
             false => &mut out.solid,
@@ -275,13 +291,7 @@ mod tests {
     fn seen(radius_m: f32, nose: Vec3) -> Batch {
         let lens = Lens::Flat { scale: 10.0 };
         let camera = Camera::along(DVec3::ZERO, Side::Top.forward(), lens);
-        let projector = Projector::new(
-            &camera,
-            [200, 200],
-            DVec3::ZERO,
-            0.1,
-            ([0; 3], f64::INFINITY),
-        );
+        let projector = Projector::new(&camera, [200, 200], DVec3::ZERO, 0.1, None);
         let mut batch = Batch::default();
         let glyph = Glyph {
             place: Vec3::new(1.0, 2.0, 3.0),
@@ -327,8 +337,10 @@ mod tests {
 
     #[test]
     fn a_shadow_falls_away_from_the_sun() {
-        let at = on_ground(Vec3::new(0.0, 0.0, 8.414), DVec3::ZERO).expect("above ground");
-        assert!((at - Vec3::new(4.2, 3.4, 0.0)).length() < 1e-3, "{at}");
+        let at = on_ground(10.0 * light::SUN, DVec3::ZERO).expect("above ground");
+        assert!(at.length() < 1e-3, "{at}");
+        let at = on_ground(Vec3::Z, DVec3::ZERO).expect("above ground");
+        assert!(at.x > 0.5 && at.y > 0.4 && at.z == 0.0, "{at}");
         assert_eq!(on_ground(Vec3::new(0.0, 0.0, -1.0), DVec3::ZERO), None);
     }
 }

@@ -1,16 +1,28 @@
-//! Light and colours: the sun, the air, light and dark pictures, scales.
+//! Light and colours: the sun, the air, light and dark pictures. They are those of the page.
+//!
+//! What is computed is light, 0 to 1 a channel; bytes are its square root, which is near to sRGB and cheap.
 
 use simbeeotic_units::glam::Vec3;
 
-/// Towards the sun: from the south-west, high.
-pub(super) const SUN: Vec3 = Vec3::new(-0.42, -0.34, 0.841_4);
+/// Towards the sun: from the south-west, high. A unit vector.
+pub(super) const SUN: Vec3 = Vec3::new(-0.521_856, -0.361_285, 0.772_748);
 
-/// A colour in the light, on a surface that faces a direction.
-pub(super) fn lit([r, g, b, alpha]: [u8; 4], normal: Vec3) -> [u8; 4] {
-    let sky = 0.5 + 0.5 * normal.z;
-    let light = 0.5 + 0.18 * sky + 0.42 * normal.dot(SUN).max(0.0);
-    let part = |colour: u8| (f32::from(colour) * light + 0.5).min(255.0) as u8;
-    [part(r), part(g), part(b), alpha]
+/// A colour of bytes as light.
+pub(super) fn light_of([r, g, b]: [u8; 3]) -> Vec3 {
+    let part = Vec3::new(f32::from(r), f32::from(g), f32::from(b)) / 255.0;
+    part * part
+}
+
+/// Light as bytes.
+pub(super) fn bytes_of(light: Vec3) -> [u8; 3] {
+    let part = |x: f32| (x.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
+    [part(light.x), part(light.y), part(light.z)]
+}
+
+/// Between 0 and 1, smoothly, from one number to another.
+pub(super) fn smooth(from: f32, to: f32, x: f32) -> f32 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
 }
 
 /// A colour between two.
@@ -22,95 +34,126 @@ pub(super) fn mix(a: [u8; 3], b: [u8; 3], share: f32) -> [u8; 3] {
     })
 }
 
+/// How far one sees: between these two distances from the eye everything fades into the horizon, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Haze {
+    pub(super) from_m: f32,
+    pub(super) to_m: f32,
+    pub(super) light: Vec3,
+}
+
+impl Haze {
+    /// The air's share of what is seen so far away.
+    pub(super) fn share(&self, away_m: f32) -> f32 {
+        smooth(self.from_m, self.to_m, away_m)
+    }
+
+    /// Light from so far away.
+    pub(super) fn over(&self, light: Vec3, away_m: f32) -> Vec3 {
+        light.lerp(self.light, self.share(away_m))
+    }
+}
+
 /// The colours around the things.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Theme {
-    /// The sky above, and at the horizon.
-    pub(super) zenith: [u8; 3],
-    pub(super) horizon: [u8; 3],
+    /// Light of the sun, of the sky, and of the ground from below.
+    sun: Vec3,
+    sky: Vec3,
+    earth: Vec3,
+    /// The light of the sky above, and at the horizon.
+    pub(super) zenith: Vec3,
+    pub(super) horizon: Vec3,
+    /// The colour of the ground.
     pub(super) ground: [u8; 3],
-    /// Lines on the ground.
-    pub(super) grid: [u8; 3],
+    /// The light of the lines on the ground.
+    pub(super) grid: Vec3,
+    /// What of their colour the things of the world keep, so that vehicles stand out.
+    pub(super) tone: f32,
+    /// What vehicles shine by themselves.
+    pub(super) glow: f32,
     /// Words, and what keeps them apart from what is below.
     pub(super) ink: [u8; 3],
     pub(super) paper: [u8; 3],
     /// The rim of small things.
     pub(super) rim: [u8; 3],
-    /// What a shadow leaves, in 256ths.
-    pub(super) shadow: u16,
+    /// Radio links.
+    pub(super) link: [u8; 3],
 }
 
 impl Theme {
-    /// `ground`: the world's own colour of the ground, which is toned down so that the swarm stands out.
+    /// `ground`: the world's own colour of the ground.
     pub(super) fn new(dark: bool, ground: [u8; 4]) -> Self {
         let [r, g, b, _] = ground;
-        let own = [r, g, b];
         if dark {
             Self {
-                zenith: [0x0e, 0x12, 0x1a],
-                horizon: [0x2a, 0x32, 0x3f],
-                ground: mix(own, [0x18, 0x1d, 0x24], 0.86),
-                grid: [0x6b, 0x78, 0x88],
+                sun: Vec3::new(0.31, 0.35, 0.475),
+                sky: Vec3::new(0.21, 0.26, 0.39),
+                earth: Vec3::new(0.1, 0.11, 0.135),
+                zenith: light_of([0x07, 0x0b, 0x14]),
+                horizon: light_of([0x1a, 0x24, 0x33]),
+                ground: [r, g, b],
+                grid: Vec3::splat(0.3),
+                tone: 0.62,
+                glow: 0.5,
                 ink: [0xe8, 0xec, 0xf2],
                 paper: [0x14, 0x18, 0x1f],
                 rim: [0x06, 0x08, 0x0b],
-                shadow: 150,
+                link: [0xa5, 0xe6, 0xff],
             }
         } else {
             Self {
-                zenith: [0xa9, 0xc8, 0xe6],
-                horizon: [0xf2, 0xf5, 0xf7],
-                ground: mix(own, [0xf1, 0xf1, 0xea], 0.72),
-                grid: [0x6c, 0x76, 0x70],
+                sun: Vec3::new(0.86, 0.8, 0.69),
+                sky: Vec3::new(0.46, 0.52, 0.6),
+                earth: Vec3::new(0.25, 0.24, 0.22),
+                zenith: light_of([0x8f, 0xb8, 0xde]),
+                horizon: light_of([0xdf, 0xe8, 0xee]),
+                ground: [r, g, b],
+                grid: Vec3::splat(0.02),
+                tone: 1.0,
+                glow: 0.16,
                 ink: [0x22, 0x27, 0x2e],
                 paper: [0xff, 0xff, 0xff],
                 rim: [0x2b, 0x24, 0x16],
-                shadow: 196,
+                link: [0x0b, 0x2b, 0xd0],
             }
         }
     }
-}
 
-/// Colours that the colour-blind tell apart too, after M. Okabe and K. Ito, *Color universal design* (2008),
-/// in the order of use.
-const KINDS: [[u8; 3]; 8] = [
-    [0xf0, 0xa5, 0x0a],
-    [0x00, 0x72, 0xb2],
-    [0x00, 0x9e, 0x73],
-    [0xd5, 0x5e, 0x00],
-    [0x56, 0xb4, 0xe9],
-    [0xcc, 0x79, 0xa7],
-    [0xf0, 0xe4, 0x42],
-    [0x99, 0x99, 0x99],
-];
-
-/// The colour of the n-th kind; they repeat.
-pub(super) fn kind(place: usize) -> [u8; 3] {
-    KINDS[place % KINDS.len()]
-}
-
-/// From little to much; lightness rises all the way, so that it reads in grey. After *plasma* of
-/// N. Smith and S. van der Walt (2015), public domain.
-pub(super) const RAMP: [[u8; 3]; 8] = [
-    [0x3a, 0x04, 0x9a],
-    [0x72, 0x01, 0xa8],
-    [0x9c, 0x17, 0x9e],
-    [0xbd, 0x37, 0x86],
-    [0xd8, 0x57, 0x6b],
-    [0xed, 0x79, 0x53],
-    [0xfb, 0x9f, 0x3a],
-    [0xfd, 0xca, 0x26],
-];
-
-/// The colour of a share, 0 to 1; grey for what is not known.
-pub(super) fn ramp(share: f64) -> [u8; 3] {
-    if share.is_nan() {
-        return [0x9a, 0x9a, 0x9a];
+    /// What a matt surface that faces a direction sends on, in the sun (1) or in the shadow (0).
+    pub(super) fn lit(&self, colour: Vec3, normal: Vec3, sun: f32) -> Vec3 {
+        let sky = self.earth.lerp(self.sky, 0.5 + 0.5 * normal.z);
+        colour * (sky + self.sun * (normal.dot(SUN).max(0.0) * sun))
     }
-    let last = RAMP.len() - 1;
-    let at = share.clamp(0.0, 1.0) * last as f64;
-    let low = (at.floor() as usize).min(last - 1);
-    mix(RAMP[low], RAMP[low + 1], (at - low as f64) as f32)
+
+    /// A thing of the world at its corner, as bytes.
+    pub(super) fn lit_bytes(&self, [r, g, b, alpha]: [u8; 4], normal: Vec3) -> [u8; 4] {
+        let lit = self.lit(light_of([r, g, b]) * self.tone, normal, 1.0);
+        let [r, g, b] = bytes_of(lit);
+        [r, g, b, alpha]
+    }
+
+    /// A vehicle at its corner, as bytes: a little brighter than the world.
+    pub(super) fn body_bytes(&self, [r, g, b, alpha]: [u8; 4], normal: Vec3) -> [u8; 4] {
+        let own = light_of([r, g, b]);
+        let [r, g, b] = bytes_of(self.lit(own, normal, 1.0) + own * self.glow);
+        [r, g, b, alpha]
+    }
+
+    /// What a shadow leaves of the bytes of level ground, in 256ths.
+    pub(super) fn shadow(&self) -> [u16; 3] {
+        let (shade, sun) = (self.sky, self.sky + self.sun * SUN.z);
+        let share = shade / sun;
+        [share.x, share.y, share.z].map(|x| (x.sqrt() * 256.0) as u16)
+    }
+
+    /// The sky in a direction, and the glow around the sun.
+    pub(super) fn sky(&self, direction: Vec3) -> Vec3 {
+        let low = 1.0 - direction.z.clamp(0.0, 1.0);
+        let near = direction.dot(SUN).max(0.0);
+        let near = near * near * near * near;
+        self.zenith.lerp(self.horizon, low * low * low) + self.sun * (0.16 * near * near)
+    }
 }
 
 #[cfg(test)]
@@ -118,24 +161,31 @@ mod tests {
     use super::*;
 
     #[test]
-    fn more_is_always_lighter() {
-        let light = |share: f64| {
-            let [r, g, b] = ramp(share).map(f64::from);
-            0.2126 * r + 0.7152 * g + 0.0722 * b
-        };
-        for step in 0..50 {
-            let share = f64::from(step) / 50.0;
-            assert!(light(share + 0.02) > light(share), "{share}");
+    fn what_faces_the_sun_is_lighter_than_what_faces_away() {
+        for dark in [false, true] {
+            let theme = Theme::new(dark, [0; 4]);
+            let grey = [100, 100, 100, 255];
+            assert!((SUN.length() - 1.0).abs() < 1e-5);
+            let [sun, up, down] = [SUN, Vec3::Z, -SUN].map(|n| theme.lit_bytes(grey, n)[0]);
+            assert!(sun > up && up > down && down > 20, "{sun} {up} {down}");
         }
-        assert_eq!(ramp(-1.0), ramp(0.0));
-        assert_eq!(ramp(f64::INFINITY), ramp(1.0));
     }
 
     #[test]
-    fn what_faces_the_sun_is_lighter_than_what_faces_away() {
-        let grey = [100, 100, 100, 255];
-        assert!(SUN.is_normalized());
-        let [sun, up, down] = [SUN, Vec3::Z, -SUN].map(|n| lit(grey, n)[0]);
-        assert!(sun > up && up > down && down > 40, "{sun} {up} {down}");
+    fn a_shadow_is_what_the_sky_alone_gives() {
+        let theme = Theme::new(false, [0; 4]);
+        let own = light_of([120, 150, 90]);
+        let [sun, shade] = [1.0, 0.0].map(|sun| bytes_of(theme.lit(own, Vec3::Z, sun)));
+        for ((lit, dark), keep) in sun.into_iter().zip(shade).zip(theme.shadow()) {
+            let darkened = (u16::from(lit) * keep / 256) as u8;
+            assert!(darkened.abs_diff(dark) <= 1, "{darkened} {dark}");
+        }
+    }
+
+    #[test]
+    fn bytes_come_back_from_light() {
+        for byte in [0, 1, 17, 128, 254, 255] {
+            assert_eq!(bytes_of(light_of([byte; 3])), [byte; 3]);
+        }
     }
 }

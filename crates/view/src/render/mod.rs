@@ -6,40 +6,51 @@
 //!
 //! # How a picture comes about
 //!
-//! The [`Stage`](simbeeotic_record::Stage) becomes triangles in the light of one sun, once (`solid`,
-//! `light`). For each picture the vehicles (`glyph`), their trails and links (`swarm`) are added, a camera
+//! The [`Stage`](simbeeotic_record::Stage) becomes triangles, once (`solid`, `flower`), with pictures on them
+//! (`skins`, `paintings`), and a picture from the sun says what is in the shadow (`shadow`). A camera
 //! (`camera`) puts all corners onto the picture, and tiles of 64 by 64 pixels are filled in parallel
-//! (`raster`): four samples a pixel, the nearest triangle wins, what lets through comes last, from back to
-//! front. Sky, ground and grid are computed for each pixel (`backdrop`); words are outlines (`words`,
-//! `overlay`). As long as the camera stands still, what does not move is drawn once (`painter`).
+//! (`raster`), four samples a pixel: first which triangle is seen where (`visible`), then its colour there
+//! (`shade`, `light`), as those of sky, ground and grid (`backdrop`, `ground`). Over it come the vehicles
+//! (`glyph`), their trails, links (`swarm`) and sensors (`beams`): the nearest triangle wins, what lets through comes last,
+//! from back to front. Words are outlines (`words`, `overlay`). As long as the camera stands still, what
+//! does not move is drawn once (`painter`).
 //!
 //! A tile is drawn by one thread, its triangles in a fixed order, and edges are decided in whole numbers:
 //! the same recording gives the same picture, to the byte, on any number of threads.
 
 mod air;
 mod backdrop;
+mod beams;
 mod camera;
 mod colours;
 mod film;
+mod flower;
 mod frames;
 mod gif;
 mod glyph;
+mod ground;
 mod light;
 mod motion;
 mod mp4;
 mod overlay;
 mod painter;
+mod paintings;
 mod palette;
 mod raster;
+mod scales;
+mod shade;
+mod shadow;
+mod skins;
 mod solid;
 mod swarm;
 #[cfg(test)]
 mod tests;
+mod visible;
 pub mod words;
 
 pub use camera::{Camera, Lens, Side};
 pub use colours::ColourBy;
-pub use film::{Choices, Film, Fit, View};
+pub use film::{Choices, DRAWN_MAX, Film, Fit, View};
 pub use frames::{Frames, png_bytes, write_png};
 pub use gif::Gif;
 pub use mp4::Mp4;

@@ -153,7 +153,7 @@ fn past(tick: &Tick) -> Past {
 }
 
 pub(super) fn seconds(time_ns: u64) -> f64 {
-    time_ns as f64 * 1e-9
+    time_ns as f64 / 1e9
 }
 
 /// Everybody between two ticks.

@@ -165,6 +165,15 @@ mod tests {
         }
     }
 
+    /// Grey, with a red block of eight by sixteen pixels.
+    fn moved(k: usize) -> Picture {
+        let mut picture = picture(30 + 20 * k as u8);
+        for (x, y) in (8 * k..8 * k + 8).flat_map(|x| (12..28).map(move |y| (x, y))) {
+            picture.rgb[3 * (64 * y + x)..][..3].copy_from_slice(&[200, 40, 30]);
+        }
+        picture
+    }
+
     fn there(program: &str) -> bool {
         Command::new(program)
             .arg("-version")
@@ -183,7 +192,7 @@ mod tests {
         let path = folder.path().join("film.mp4");
         let mut film = Mp4::new(&path, [64, 48], 25.0).expect("begun");
         for k in 0..7 {
-            film.add(&picture(30 * k)).expect("added");
+            film.add(&moved(k)).expect("added");
         }
         film.finish().expect("written");
         let probe = Command::new("ffprobe")
@@ -208,6 +217,26 @@ mod tests {
         }
         let files = std::fs::read_dir(folder.path()).expect("a folder").count();
         assert_eq!(files, 1);
+
+        // What comes back is what was put in: a block that goes from left to right, before more and more light.
+        let read = Command::new("ffmpeg")
+            .args(["-v", "error", "-nostdin", "-i"])
+            .arg(&path)
+            .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"])
+            .output()
+            .expect("ffmpeg");
+        let shown: Vec<&[u8]> = read.stdout.chunks(64 * 48 * 3).collect();
+        assert_eq!(shown.len(), 7);
+        for (k, rgb) in shown.iter().enumerate() {
+            let own = moved(k);
+            for (x, y) in [(8 * k + 4, 20), (60, 5), (2, 45)] {
+                let at = 3 * (64 * y + x);
+                for part in 0..3 {
+                    let off = rgb[at + part].abs_diff(own.rgb[at + part]);
+                    assert!(off <= 6, "picture {k}, {x}, {y}: {off}");
+                }
+            }
+        }
     }
 
     #[test]

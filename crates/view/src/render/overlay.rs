@@ -1,7 +1,7 @@
 //! What stands over a picture: the time, a scale, what colours mean, names.
 
 use super::colours::Key;
-use super::light::{self, Theme};
+use super::light::Theme;
 use super::painter::Picture;
 use super::words;
 use tiny_skia::{
@@ -183,7 +183,12 @@ impl Overlay {
                     self.words([x, y], name, size, Anchor::Start, 255);
                 }
             }
-            Key::Scale { title, low, high } => {
+            Key::Scale {
+                title,
+                low,
+                high,
+                scale,
+            } => {
                 let long = (0.2 * width).max(8.0 * unit).min(width - 2.0 * unit);
                 let (x, y) = (width - unit - long, 2.2 * unit);
                 let (rim, tall) = (self.theme.paper, 0.6 * unit);
@@ -196,7 +201,7 @@ impl Overlay {
                     // To whole pixels, so that no seams show.
                     let from = (x + part * f64::from(step)).round();
                     let to = (x + part * f64::from(step + 1)).round();
-                    self.bar([from, y], [to - from, tall], light::ramp(share), 255);
+                    self.bar([from, y], [to - from, tall], scale.colour(share), 255);
                 }
                 let below = y + tall + 1.05 * unit;
                 self.words([x, below], &number(*low), 0.85 * unit, Anchor::Start, 255);

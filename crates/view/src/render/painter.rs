@@ -1,11 +1,14 @@
 //! From a stage, a camera and a swarm to a picture.
 
-use super::backdrop::{self, Backdrop};
+use super::backdrop::{self, Backdrop, Ground};
 use super::camera::{Camera, Lens, Projector};
-use super::glyph;
-use super::light::Theme;
+use super::light::{Haze, Theme};
 use super::raster::{Batch, Bins, GRID, Tile, Triangle, tiles};
-use super::solid::Lit;
+use super::shade::Shade;
+use super::shadow::Shadows;
+use super::skins::Skins;
+use super::solid::Face;
+use super::visible::Visible;
 use rayon::prelude::*;
 use simbeeotic_units::glam::{DVec3, Vec3};
 
@@ -20,19 +23,33 @@ pub struct Picture {
     pub rgb: Vec<u8>,
 }
 
+/// What stands still, and its light.
+pub(super) struct Scenery {
+    /// A point near to all that is seen; the corners of faces are around it.
+    pub(super) origin_m: DVec3,
+    /// How large is what is to be seen, m.
+    pub(super) extent_m: f64,
+    /// How far from there everything reaches, m: how far the air is clear.
+    pub(super) reach_m: f64,
+    pub(super) faces: Vec<Face>,
+    pub(super) skins: Skins,
+    /// Whether the plane `z = 0` is ground.
+    pub(super) plane: bool,
+    /// How far the world reaches, m.
+    pub(super) radius_m: f64,
+    /// Whether there are lines on the ground.
+    pub(super) grid: bool,
+}
+
 /// Draws pictures of one stage.
 pub(super) struct Painter {
     pub(super) theme: Theme,
-    /// A point near to all that is seen.
-    pub(super) origin_m: DVec3,
-    pub(super) plane: bool,
-    /// How large the whole is, m: how far the air is clear.
-    pub(super) extent_m: f64,
-    pub(super) statics: Vec<Lit>,
+    pub(super) scenery: Scenery,
     /// Size of the finished picture.
     pub(super) size: [u32; 2],
     /// Each pixel is drawn as so many across and down.
     pub(super) fineness: usize,
+    shadows: Option<Shadows>,
     /// What stands still, as the last camera saw it.
     still: Option<(Camera, Vec<Tile>)>,
 }
@@ -47,23 +64,21 @@ pub(super) struct Stand<'a> {
 
 /// Triangles that are made by one thread at a time.
 const SHARE: usize = 2048;
+/// Shadows are drawn so far around the middle, in extents of the whole and in m.
+const SHADOWS: f64 = 2.5;
+const SHADOWS_LEAST_M: f64 = 20.0;
+/// The air is clear up to this share of how far one sees, and hides everything from this one on.
+const CLEAR: f64 = 0.35;
+const GONE: f64 = 1.25;
 
 impl Painter {
-    pub(super) fn new(
-        theme: Theme,
-        origin_m: DVec3,
-        plane: bool,
-        extent_m: f64,
-        statics: Vec<Lit>,
-        size: [u32; 2],
-        fineness: usize,
-    ) -> Self {
+    pub(super) fn new(theme: Theme, scenery: Scenery, size: [u32; 2], fineness: usize) -> Self {
+        // Farther away a shadow is smaller than its pixels.
+        let around_m = SHADOWS * scenery.extent_m + SHADOWS_LEAST_M;
         Self {
             theme,
-            origin_m,
-            plane,
-            extent_m,
-            statics,
+            shadows: Shadows::new(&scenery.faces, scenery.origin_m, around_m),
+            scenery,
             size,
             fineness,
             still: None,
@@ -78,18 +93,21 @@ impl Painter {
     ) -> Picture {
         let size = self.size.map(|side| side as usize * self.fineness);
         let large = camera.enlarged(self.fineness as f64);
-        let haze_m = 12.0 * self.extent_m;
+        let Scenery {
+            origin_m, extent_m, ..
+        } = self.scenery;
+        let away_m = (camera.eye_m - origin_m).length();
+        let far_m = (3.0 * self.scenery.reach_m).max(14.0 * away_m);
+        let haze = Haze {
+            from_m: (CLEAR * far_m + away_m) as f32,
+            to_m: (GONE * far_m + away_m) as f32,
+            light: self.theme.horizon,
+        };
         let near_m = match camera.lens {
             Lens::Flat { .. } => 0.0,
-            Lens::Perspective { .. } => (2e-3 * self.extent_m).clamp(0.02, 1.0),
+            Lens::Perspective { .. } => (2e-3 * extent_m).clamp(0.02, 1.0),
         };
-        let projector = Projector::new(
-            &large,
-            size,
-            self.origin_m,
-            near_m,
-            (self.theme.horizon, haze_m),
-        );
+        let projector = Projector::new(&large, size, origin_m, near_m, Some(haze));
         let stand = Stand {
             projector,
             theme: &self.theme,
@@ -101,39 +119,18 @@ impl Painter {
 
         let known = self.still.as_ref().is_some_and(|(seen, _)| seen == camera);
         if !known {
-            let mut statics = self.statics(&projector);
-            let cell = backdrop::cell_m(camera.scale_at(self.origin_m));
-            let (plane, times) = (self.plane, self.fineness as f64);
-            let back = Backdrop::new(large, self.theme, size, plane, cell, times, haze_m);
-            // What lets through has to be drawn with what moves.
-            let shadows = Bins::new(&statics.shadows, size);
-            let solid = Bins::new(&statics.solid, size);
-            let drawn = numbers.clone().into_par_iter().map(|number| {
-                let mut tile = Tile::new(number, size);
-                back.fill(&mut tile);
-                shadows
-                    .of(number, &statics.shadows)
-                    .for_each(|t| tile.shadow(t));
-                tile.darken(self.theme.shadow);
-                solid.of(number, &statics.solid).for_each(|t| tile.solid(t));
-                tile
-            });
-            let drawn = drawn.collect();
-            statics.shadows.clear();
-            statics.solid.clear();
-            self.still = Some((*camera, drawn));
-            batch.glass.append(&mut statics.glass);
-        } else {
-            batch.glass.append(&mut self.clear(&projector));
+            self.still = Some((*camera, self.scene(camera, &large, &projector, size, haze)));
         }
+        // What lets through has to be drawn with what moves.
+        batch.glass.append(&mut self.clear(&projector));
         batch.sort();
 
         let shadows = Bins::new(&batch.shadows, size);
         let solid = Bins::new(&batch.solid, size);
         let glass = Bins::new(&batch.glass, size);
         let lines = Bins::new(&batch.lines, size);
-        let (stills, keep) = (&self.still, self.theme.shadow);
-        let drawn: Vec<(Tile, Vec<u8>)> = numbers
+        let (stills, keep) = (&self.still, self.theme.shadow());
+        let drawn: Vec<([usize; 3], Vec<u8>)> = numbers
             .into_par_iter()
             .filter_map(|number| {
                 let mut tile = stills.as_ref()?.1.get(number)?.clone();
@@ -145,13 +142,13 @@ impl Painter {
                 glass.of(number, &batch.glass).for_each(|t| tile.glass(t));
                 lines.of(number, &batch.lines).for_each(|t| tile.glass(t));
                 let pixels = tile.pixels().flatten().collect();
-                Some((tile, pixels))
+                Some(([tile.left, tile.top, tile.width], pixels))
             })
             .collect();
         let mut rgb = vec![0; size[0] * size[1] * 3];
-        for (tile, pixels) in &drawn {
-            for (row, line) in pixels.chunks_exact(3 * tile.width).enumerate() {
-                let at = 3 * ((tile.top + row) * size[0] + tile.left);
+        for ([left, top, width], pixels) in &drawn {
+            for (row, line) in pixels.chunks_exact(3 * width).enumerate() {
+                let at = 3 * ((top + row) * size[0] + left);
                 rgb[at..at + line.len()].copy_from_slice(line);
             }
         }
@@ -162,35 +159,79 @@ impl Painter {
         }
     }
 
-    fn statics(&self, projector: &Projector) -> Batch {
-        let parts = self.statics.par_chunks(SHARE).map(|share| {
-            let mut batch = Batch::default();
-            for lit in share {
-                if self.plane && lit.shadow {
-                    let below = lit.corners.map(|c| glyph::on_ground(c, self.origin_m));
-                    if let [Some(a), Some(b), Some(c)] = below {
-                        projector.triangle([a, b, c], [[0; 4]; 3], &mut batch.shadows);
-                    }
+    /// All that stands still and lets nothing through.
+    fn scene(
+        &self,
+        camera: &Camera,
+        large: &Camera,
+        projector: &Projector,
+        size: [usize; 2],
+        haze: Haze,
+    ) -> Vec<Tile> {
+        let scenery = &self.scenery;
+        let ground = Ground {
+            plane: scenery.plane,
+            radius_m: scenery.radius_m,
+            cell_m: (scenery.grid).then(|| backdrop::cell_m(camera.scale_around(scenery.origin_m))),
+        };
+        let times = self.fineness as f64;
+        let backdrop = Backdrop::new(*large, self.theme, Some(haze), size, ground, times);
+        let shares: Vec<usize> = (0..scenery.faces.len()).step_by(SHARE).collect();
+        let parts: Vec<(Vec<Triangle>, Vec<u32>)> = shares
+            .into_par_iter()
+            .map(|first| {
+                let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
+                let share = scenery.faces[first..].iter().take(SHARE);
+                for (at, face) in share.enumerate().filter(|(_, face)| solid(face)) {
+                    projector.triangle(face.corners, face.rgba, &mut triangles);
+                    numbers.resize(triangles.len(), (first + at) as u32);
                 }
-                let into = match lit.rgba[0][3] {
-                    255 => &mut batch.solid,
-                    _ => &mut batch.glass,
-                };
-                projector.triangle(lit.corners, lit.rgba, into);
-            }
-            batch
-        });
-        joined(parts.collect())
+                (triangles, numbers)
+            })
+            .collect();
+        let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
+        for (mut part, mut own) in parts {
+            triangles.append(&mut part);
+            numbers.append(&mut own);
+        }
+        let bins = Bins::new(&triangles, size);
+        let flat = matches!(camera.lens, Lens::Flat { .. });
+        let shade = Shade {
+            backdrop: &backdrop,
+            faces: &scenery.faces,
+            skins: &scenery.skins,
+            shadows: self.shadows.as_ref(),
+            theme: &self.theme,
+            haze: (!flat).then_some(haze),
+            origin_m: scenery.origin_m,
+        };
+        let [across, down] = tiles(size);
+        (0..across * down)
+            .into_par_iter()
+            .map(|number| {
+                let mut seen = Visible::new(number, size);
+                seen.ground(&backdrop);
+                for place in bins.places(number) {
+                    seen.draw(&triangles[place], numbers[place]);
+                }
+                seen.shaded(|sight| shade.colour(sight))
+            })
+            .collect()
     }
 
     /// Of what stands still, what lets through.
     fn clear(&self, projector: &Projector) -> Vec<Triangle> {
         let mut out = Vec::new();
-        for lit in self.statics.iter().filter(|lit| lit.rgba[0][3] < 255) {
-            projector.triangle(lit.corners, lit.rgba, &mut out);
+        for face in self.scenery.faces.iter().filter(|face| !solid(face)) {
+            let lit = [0, 1, 2].map(|k| self.theme.lit_bytes(face.rgba[k], face.normals[k]));
+            projector.triangle(face.corners, lit, &mut out);
         }
         out
     }
+}
+
+fn solid(face: &Face) -> bool {
+    face.rgba.iter().all(|rgba| rgba[3] == 255)
 }
 
 /// Puts batches together, in their order.

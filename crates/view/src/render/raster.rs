@@ -10,7 +10,12 @@ pub(super) const TILE: usize = 64;
 pub(super) const GRID: i32 = 256;
 /// Where a pixel is sampled, from its upper left corner, on that grid: each at a column and a row of its
 /// own, so that steep and flat edges have four steps.
-const SAMPLES: [[i64; 2]; 4] = [[96, 32], [224, 96], [32, 160], [160, 224]];
+pub(super) const SAMPLES: [[i64; 2]; 4] = [[96, 32], [224, 96], [32, 160], [160, 224]];
+
+/// A sample's place from the middle of its pixel, pixels.
+pub(super) fn middle_of(sample: [i64; 2]) -> [f32; 2] {
+    sample.map(|steps| (steps - i64::from(GRID / 2)) as f32 / GRID as f32)
+}
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +95,12 @@ impl Bins {
         tile: usize,
         triangles: &'a [Triangle],
     ) -> impl Iterator<Item = &'a Triangle> {
-        self.lists[tile].iter().map(|at| &triangles[*at as usize])
+        self.places(tile).map(|at| &triangles[at])
+    }
+
+    /// Their places in the list.
+    pub(super) fn places(&self, tile: usize) -> impl Iterator<Item = usize> + '_ {
+        self.lists[tile].iter().map(|at| *at as usize)
     }
 }
 
@@ -111,32 +121,28 @@ pub(super) struct Tile {
     colour: Vec<[[u8; 3]; 4]>,
     /// The samples in shadow.
     shade: Vec<u8>,
+    /// The samples that the sun does not reach in any case.
+    sunless: Vec<u8>,
 }
 
 impl Tile {
-    /// The tile with this number; all black and far away.
-    pub(super) fn new(number: usize, size: [usize; 2]) -> Self {
-        let [across, _] = tiles(size);
-        let (left, top) = (number % across * TILE, number / across * TILE);
-        let (width, height) = ((size[0] - left).min(TILE), (size[1] - top).min(TILE));
+    /// A tile at a place (left, top, width, height) with what is known of its samples: how near they are, their
+    /// colours, and which of them the sun does not reach.
+    pub(super) fn of(
+        [left, top, width, height]: [usize; 4],
+        near: Vec<[f32; 4]>,
+        colour: Vec<[[u8; 3]; 4]>,
+        sunless: Vec<u8>,
+    ) -> Self {
         Self {
             left,
             top,
             width,
             height,
-            near: vec![[f32::NEG_INFINITY; 4]; width * height],
-            colour: vec![[[0; 3]; 4]; width * height],
+            near,
+            colour,
             shade: vec![0; width * height],
-        }
-    }
-
-    /// Fills a pixel: its colour, and how near its middle is, with how that grows to the right and down.
-    pub(super) fn fill(&mut self, x: usize, y: usize, rgb: [u8; 3], near: f32, slope: [f32; 2]) {
-        let at = y * self.width + x;
-        self.colour[at] = [rgb; 4];
-        for (sample, [right, down]) in SAMPLES.iter().enumerate() {
-            let part = |steps: i64| (steps - i64::from(GRID / 2)) as f32 / GRID as f32;
-            self.near[at][sample] = near + slope[0] * part(*right) + slope[1] * part(*down);
+            sunless,
         }
     }
 
@@ -186,18 +192,22 @@ impl Tile {
         });
     }
 
-    /// Darkens what was marked, by a share of its colour in 256ths.
-    pub(super) fn darken(&mut self, keep: u16) {
-        for (marks, colours) in self.shade.iter_mut().zip(&mut self.colour) {
-            if *marks == 0 {
+    /// Darkens what was marked and was in the sun, by a share of its colour in 256ths.
+    pub(super) fn darken(&mut self, keep: [u16; 3]) {
+        let samples = self.shade.iter_mut().zip(&self.sunless);
+        for ((marks, sunless), colours) in samples.zip(&mut self.colour) {
+            let dark = *marks & !sunless;
+            *marks = 0;
+            if dark == 0 {
                 continue;
             }
             for (sample, colour) in colours.iter_mut().enumerate() {
-                if *marks >> sample & 1 == 1 {
-                    *colour = colour.map(|c| (u16::from(c) * keep / 256) as u8);
+                if dark >> sample & 1 == 1 {
+                    for (part, keep) in colour.iter_mut().zip(keep) {
+                        *part = (u16::from(*part) * keep / 256) as u8;
+                    }
                 }
             }
-            *marks = 0;
         }
     }
 
@@ -291,7 +301,7 @@ fn slope(triangle: &Triangle, [a, b, c]: [f32; 3]) -> [f32; 2] {
 /// Finds the samples of a tile that a triangle covers. `hit` gets the pixel's place in the tile, a bit for
 /// each sample, how near each is, and the pixel's column and row in the picture.
 #[inline]
-fn cover(
+pub(super) fn cover(
     [left, top, width, height]: [usize; 4],
     triangle: &Triangle,
     mut hit: impl FnMut(usize, u8, [f32; 4], usize, usize),
@@ -404,9 +414,19 @@ impl Edge {
 
 #[cfg(test)]
 mod tests {
+    use super::super::visible::Visible;
     use super::*;
 
-    const SIZE: [usize; 2] = [TILE, TILE];
+    /// A tile of one colour, so near.
+    fn plain(rgb: [u8; 3], near: f32) -> Tile {
+        let count = TILE * TILE;
+        Tile::of(
+            [0, 0, TILE, TILE],
+            vec![[near; 4]; count],
+            vec![[rgb; 4]; count],
+            vec![0; count],
+        )
+    }
 
     fn triangle(corners: [[f64; 2]; 3], near: f32, rgba: [u8; 4]) -> Triangle {
         let grid = |value: f64| (value * f64::from(GRID)).round() as i32;
@@ -481,7 +501,7 @@ mod tests {
             [20, 0, 0, 255],
         );
         for order in [[far, near], [near, far]] {
-            let mut tile = Tile::new(0, SIZE);
+            let mut tile = plain([0; 3], f32::NEG_INFINITY);
             order.iter().for_each(|t| tile.solid(t));
             assert!(tile.pixels().all(|rgb| rgb == [20, 0, 0]));
         }
@@ -501,7 +521,7 @@ mod tests {
             [20, 0, 0, 255],
         );
         rising.near = [0.0, 2.0, 0.0];
-        let mut tile = Tile::new(0, SIZE);
+        let mut tile = plain([0; 3], f32::NEG_INFINITY);
         tile.solid(&level);
         tile.solid(&rising);
         let row: Vec<u8> = tile.pixels().take(TILE).map(|rgb| rgb[0]).collect();
@@ -511,12 +531,7 @@ mod tests {
 
     #[test]
     fn half_covered_and_half_clear_mix() {
-        let mut tile = Tile::new(0, SIZE);
-        for y in 0..TILE {
-            for x in 0..TILE {
-                tile.fill(x, y, [0; 3], 0.0, [0.0; 2]);
-            }
-        }
+        let mut tile = plain([0; 3], 0.0);
         // The left half of the columns 0..=10, and half of column 10.
         let quad = [
             [[0.0, 0.0], [10.5, 0.0], [10.5, 64.0]],
@@ -531,20 +546,21 @@ mod tests {
     #[test]
     fn a_shadow_darkens_once_and_only_what_is_not_hidden() {
         let all = [[0.0, 0.0], [128.0, 0.0], [0.0, 128.0]];
-        let mut tile = Tile::new(0, SIZE);
-        for (x, y) in (0..TILE * TILE).map(|k| (k % TILE, k / TILE)) {
-            tile.fill(x, y, [200; 3], 1.0, [0.0; 2]);
+        let mut tile = plain([200; 3], 1.0);
+        // The last column of the tile has no sun anyway.
+        for row in 0..TILE {
+            tile.sunless[TILE * row + TILE - 1] = 15;
         }
         tile.solid(&triangle(
-            [[32.0, 0.0], [64.0, 0.0], [32.0, 1000.0]],
+            [[32.0, 0.0], [60.0, 0.0], [32.0, 1000.0]],
             3.0,
             [90, 90, 90, 255],
         ));
         tile.shadow(&triangle(all, 2.0, [0; 4]));
         tile.shadow(&triangle(all, 2.0, [0; 4]));
-        tile.darken(128);
-        let row: Vec<u8> = tile.pixels().take(40).map(|rgb| rgb[0]).collect();
-        assert_eq!((row[5], row[36]), (100, 90));
+        tile.darken([128; 3]);
+        let row: Vec<u8> = tile.pixels().take(TILE).map(|rgb| rgb[0]).collect();
+        assert_eq!((row[5], row[36], row[TILE - 1]), (100, 90, 200));
     }
 
     #[test]
@@ -556,9 +572,9 @@ mod tests {
         let [across, down] = tiles(size);
         let mut seen = 0;
         for number in 0..across * down {
-            let mut tile = Tile::new(number, size);
-            bins.of(number, &all).for_each(|t| tile.solid(t));
-            seen += tile.pixels().filter(|rgb| *rgb == [7; 3]).count();
+            let mut tile = Visible::new(number, size);
+            bins.of(number, &all).for_each(|t| tile.draw(t, 0));
+            seen += tile.nearest().filter(|near| *near == 1.0).count();
         }
         assert_eq!(seen, 150 * 100);
     }

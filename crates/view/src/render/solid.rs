@@ -1,6 +1,6 @@
 //! What stands in the world, as triangles in their light.
 
-use super::light;
+use super::flower::{self, Tint};
 use simbeeotic_record::stage::{Form, Piece, Prop, Stage};
 use simbeeotic_units::glam::{DQuat, DVec3, Vec3};
 use simbeeotic_units::math;
@@ -12,40 +12,114 @@ pub(super) struct Facet {
     pub(super) normals: [Vec3; 3],
 }
 
-/// A triangle of the world, lit.
+/// A triangle of the world.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lit {
+pub(super) struct Face {
     pub(super) corners: [Vec3; 3],
+    /// The directions that its surface faces at the corners; unit vectors.
+    pub(super) normals: [Vec3; 3],
+    /// Where the corners are on the picture that lies on it, m.
+    pub(super) at_m: [[f32; 2]; 3],
     pub(super) rgba: [[u8; 4]; 3],
-    /// Whether it throws a shadow on the ground.
+    /// Its picture, by its place among the skins.
+    pub(super) skin: Option<u16>,
+    /// Whether it throws a shadow, and whether shadows fall on it.
     pub(super) shadow: bool,
+    pub(super) shaded: bool,
+    /// Whether it is ground, with the lines of the grid on it.
+    pub(super) terrain: bool,
 }
 
-/// The stage, around a point of the world.
-pub(super) fn stage(stage: &Stage, origin_m: DVec3) -> Vec<Lit> {
-    let props = stage.props.iter();
-    props.flat_map(|prop| self::prop(prop, origin_m)).collect()
+/// The stage, around a point of the world; `skin` knows the places of textures.
+pub(super) fn stage(
+    stage: &Stage,
+    origin_m: DVec3,
+    mut skin: impl FnMut(&str) -> Option<u16>,
+) -> Vec<Face> {
+    let flowers = stage.props.iter().filter(|prop| prop.kind == "flower");
+    let fine = flowers.count() < flower::MANY;
+    let mut known = Known::default();
+    let mut faces = Vec::new();
+    for (number, prop) in stage.props.iter().enumerate() {
+        let skin = skin(&prop.texture);
+        match flower::parts(prop, number, fine) {
+            Some(parts) => {
+                for part in parts {
+                    let own = |tint: Tint| tint.over(part.rgba);
+                    let lit = part.facets.iter().map(|(facet, tints)| Face {
+                        corners: facet.corners.map(|c| part.moved(c, origin_m)),
+                        normals: facet.normals.map(|n| part.turned(n)),
+                        at_m: [[0.0; 2]; 3],
+                        rgba: tints.map(own),
+                        skin: None,
+                        shadow: true,
+                        // Petals are smaller than the pixels of shadows.
+                        shaded: false,
+                        terrain: false,
+                    });
+                    faces.extend(lit);
+                }
+            }
+            None => self::prop(prop, origin_m, skin, &mut known, &mut faces),
+        }
+    }
+    faces
 }
 
-fn prop(prop: &Prop, origin_m: DVec3) -> Vec<Lit> {
-    let shadow = !matches!(prop.kind.as_str(), "terrain" | "light" | "source");
-    let mut lit = Vec::new();
+/// The surfaces of forms, each made once.
+#[derive(Default)]
+struct Known(Vec<(Form, Vec<Facet>)>);
+
+impl Known {
+    fn facets(&mut self, form: &Form) -> &[Facet] {
+        // Worlds have few forms, many times; a mesh is mostly there once.
+        let last = self.0.iter().rposition(|(known, _)| known == form);
+        let place = last.unwrap_or_else(|| {
+            if self.0.len() >= 16 {
+                self.0.remove(0);
+            }
+            self.0.push((form.clone(), facets(form, 24)));
+            self.0.len() - 1
+        });
+        &self.0[place].1
+    }
+}
+
+fn prop(prop: &Prop, origin_m: DVec3, skin: Option<u16>, known: &mut Known, faces: &mut Vec<Face>) {
+    let terrain = prop.kind == "terrain";
+    let shadow = !matches!(prop.kind.as_str(), "light" | "source");
     for piece in &prop.pieces {
         let turn = turn_of(piece);
         let place = DVec3::from(piece.position_m) - origin_m;
-        for facet in facets(&piece.form, 24) {
-            let corners = facet
-                .corners
-                .map(|corner| (turn * corner.as_dvec3() + place).as_vec3());
-            let normals = facet.normals.map(|n| (turn * n.as_dvec3()).as_vec3());
-            lit.push(Lit {
-                corners,
-                rgba: normals.map(|normal| light::lit(prop.color, normal)),
+        for facet in known.facets(&piece.form) {
+            faces.push(Face {
+                corners: facet
+                    .corners
+                    .map(|corner| (turn * corner.as_dvec3() + place).as_vec3()),
+                normals: facet.normals.map(|n| (turn * n.as_dvec3()).as_vec3()),
+                at_m: on_picture(facet),
+                rgba: [prop.color; 3],
+                skin,
                 shadow,
+                shaded: true,
+                terrain,
             });
         }
     }
-    lit
+}
+
+/// Where the corners of a facet are on a picture that is laid on its form along the axis that it faces most, m.
+fn on_picture(facet: &Facet) -> [[f32; 2]; 3] {
+    let faces: Vec3 = facet.normals.iter().sum::<Vec3>().abs();
+    facet.corners.map(|c| {
+        if faces.z > faces.x && faces.z > faces.y {
+            [c.x, c.y]
+        } else if faces.x > faces.y {
+            [c.y, c.z]
+        } else {
+            [c.x, c.z]
+        }
+    })
 }
 
 /// How a piece is turned; as it stands if that is no turn.

@@ -1,7 +1,7 @@
 //! What moves: vehicles, their trails, links and packets, as triangles.
 
+use super::beams::Line;
 use super::glyph::{self, Glyph};
-use super::light::{self, mix};
 use super::motion::{Instant, Past};
 use super::painter::{Stand, joined};
 use super::raster::Batch;
@@ -20,9 +20,14 @@ const PARTS_MAX: usize = 400_000;
 /// How wide trails and links are, pixels.
 const TRAIL_PX: f32 = 1.7;
 const LINK_PX: f32 = 1.3;
+/// Rays of sensors, and where they meet something.
+const BEAM_PX: f32 = 1.2;
+const DOT_PX: f32 = 2.4;
 
 /// How one vehicle is drawn, as far as that stays the same.
 pub(super) struct Figure {
+    /// Whether it is drawn.
+    pub(super) shown: bool,
     radius_m: f32,
     alpha: u8,
     /// Its surface in its body frame, with its own colour, if it is no flyer.
@@ -34,9 +39,9 @@ type Surface = (Arc<[Piece]>, Arc<[Facet]>);
 
 impl Figure {
     /// The figures of vehicles; those that look alike share their surface.
-    pub(super) fn all(vehicles: &[Vehicle]) -> Vec<Self> {
+    pub(super) fn all(vehicles: &[Vehicle], shown: &[bool]) -> Vec<Self> {
         let mut known: Vec<Surface> = Vec::new();
-        let figure = |vehicle: &Vehicle| {
+        let figure = |(vehicle, shown): (&Vehicle, &bool)| {
             let body = body_colour(vehicle).map(|colour| {
                 let found = known.iter().find(|(pieces, _)| **pieces == *vehicle.pieces);
                 let surface = match found {
@@ -50,12 +55,13 @@ impl Figure {
                 (surface, colour)
             });
             Self {
+                shown: *shown,
                 radius_m: vehicle.radius_m.clamp(0.0, 1e4) as f32,
                 alpha: if vehicle.role == "ghost" { 120 } else { 255 },
                 body,
             }
         };
-        vehicles.iter().map(figure).collect()
+        vehicles.iter().zip(shown).map(figure).collect()
     }
 
     /// Whether it is drawn as one that flies.
@@ -64,10 +70,13 @@ impl Figure {
     }
 }
 
+/// Vehicles of this radius are drawn as their bodies, m.
+const LARGE_M: f64 = 1.0;
+
 /// The colour of one that is drawn as its recorded body; `None`: it is drawn as one that flies.
-pub(super) fn body_colour(vehicle: &Vehicle) -> Option<[u8; 4]> {
-    let still = vehicle.role == "station" && !vehicle.pieces.is_empty();
-    still.then_some(match vehicle.color {
+fn body_colour(vehicle: &Vehicle) -> Option<[u8; 4]> {
+    let own = vehicle.role == "station" || vehicle.radius_m >= LARGE_M;
+    (own && !vehicle.pieces.is_empty()).then_some(match vehicle.color {
         [_, _, _, 0] => [0xb0, 0xb4, 0xba, 255],
         colour => colour,
     })
@@ -93,6 +102,8 @@ pub(super) struct Swarm<'a> {
     pub(super) instant: &'a Instant,
     pub(super) figures: &'a [Figure],
     pub(super) colours: &'a [[u8; 3]],
+    /// Whether bodies have these colours too, and not their own.
+    pub(super) by_kind: bool,
     /// The smallest radius of a vehicle, pixels.
     pub(super) least_px: f32,
     /// Whether the plane `z = 0` takes shadows.
@@ -105,6 +116,8 @@ pub(super) struct Swarm<'a> {
     pub(super) links: &'a [(usize, usize, f32)],
     /// Packets on their way: from, to, how far they are, 0 to 1.
     pub(super) pulses: &'a [(usize, usize, f32)],
+    /// What sensors look along.
+    pub(super) beams: &'a [Line],
 }
 
 impl Swarm<'_> {
@@ -122,9 +135,16 @@ impl Swarm<'_> {
             })
             .collect();
         let mut batch = joined(parts);
+        for Line { ends_m, rgba, dot } in self.beams {
+            let [from, to] = ends_m.map(|end| stand.projector.local(end));
+            stand.line([from, to], [*rgba; 2], BEAM_PX, &mut batch.lines);
+            if *dot {
+                stand.disc(to, *rgba, DOT_PX, &mut batch.lines);
+            }
+        }
         for (from, to, strong) in self.links {
             let alpha = (60.0 + 170.0 * strong.clamp(0.0, 1.0)) as u8;
-            let [r, g, b] = mix(stand.theme.grid, [0x1f, 0x77, 0xc9], 0.8);
+            let [r, g, b] = stand.theme.link;
             let rgba = [[r, g, b, alpha]; 2];
             if let (Some(from), Some(to)) = (self.local(*from, stand), self.local(*to, stand)) {
                 stand.line([from, to], rgba, LINK_PX, &mut batch.lines);
@@ -142,7 +162,8 @@ impl Swarm<'_> {
 
     fn local(&self, at: usize, stand: &Stand<'_>) -> Option<Vec3> {
         let place = self.instant.places_m.get(at)?;
-        place.is_finite().then(|| stand.projector.local(*place))
+        let drawn = self.figures.get(at).is_some_and(|figure| figure.shown);
+        (drawn && place.is_finite()).then(|| stand.projector.local(*place))
     }
 
     fn vehicle(&self, at: usize, stand: &Stand<'_>, batch: &mut Batch) {
@@ -151,14 +172,20 @@ impl Swarm<'_> {
         };
         let figure = &self.figures[at];
         let turn = self.instant.turns[at];
-        if let Some((surface, colour)) = &figure.body {
+        if let Some((surface, own)) = &figure.body {
+            let colour = &match (self.by_kind, self.colours[at]) {
+                (true, [r, g, b]) => [r, g, b, own[3]],
+                (false, _) => *own,
+            };
             for facet in surface.iter() {
                 let corners = facet
                     .corners
                     .map(|c| place + (turn * c.as_dvec3()).as_vec3());
-                let rgba = facet
-                    .normals
-                    .map(|n| light::lit(*colour, (turn * n.as_dvec3()).as_vec3()));
+                let rgba = facet.normals.map(|n| {
+                    stand
+                        .theme
+                        .body_bytes(*colour, (turn * n.as_dvec3()).as_vec3())
+                });
                 let below = corners.map(|c| glyph::on_ground(c, stand.projector.origin_m));
                 if let ([Some(a), Some(b), Some(c)], true) = (below, self.plane) {
                     stand

@@ -3,6 +3,7 @@
 use super::*;
 use simbeeotic_record::stage::{Form, Piece, Prop};
 use simbeeotic_record::{Header, Metric, Metrics, Recorder, Recording, Sample, Stage, Vehicle};
+use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::math;
 use std::path::Path;
 
@@ -15,6 +16,7 @@ fn record(path: &Path) {
         path: format!("bee-{k}"),
         kind: ["instrument-bee", "random-walk-bee"][k % 2].to_owned(),
         radius_m: 0.05,
+        color: [240, 170, 20, 255],
         ..Vehicle::default()
     };
     let header = Header {
@@ -159,7 +161,7 @@ fn pictures_are_those_that_were_looked_at() {
 }
 
 /// To be changed when pictures are to look different, and they have been looked at.
-const GOLDEN: [&str; 2] = ["fd47df07cbbbe556", "c725b362b9eb6fe0"];
+const GOLDEN: [&str; 2] = ["f605121ccddd646d", "b9fda154beca37f3"];
 
 #[test]
 fn a_picture_alone_is_that_of_the_film() {
@@ -213,6 +215,84 @@ fn the_followed_one_is_in_the_middle() {
 }
 
 #[test]
+fn only_the_models_asked_for_are_drawn_and_framed() {
+    opened(|recording| {
+        let drawn = |models: &[&str], grid| {
+            let choices = Choices {
+                models: models.iter().map(|&text| text.to_owned()).collect(),
+                view: View::Side(Side::Top),
+                captions: false,
+                grid,
+                ..orbit()
+            };
+            let empty = Stage {
+                props: Vec::new(),
+                ..stage()
+            };
+            let film = Film::new(recording, &empty, choices, 1_000_000_000..=1_000_000_000);
+            film.map(|mut film| film.picture(1_000_000_000).expect("a picture"))
+        };
+        // Half of the bees are orange, the ground is green.
+        let bees = |picture: &Picture| {
+            let pixels = picture.rgb.as_chunks::<3>().0.iter();
+            pixels.filter(|[r, g, _]| r > g).count()
+        };
+        let [all, one] = [&[][..], &["bee-8"]].map(|models| drawn(models, false).expect("drawn"));
+        assert!(bees(&all) > 1000, "{}", bees(&all));
+        // Alone it is seen from near, with its trail.
+        assert!((30..1000).contains(&bees(&one)), "{}", bees(&one));
+        let two = drawn(&["bee-8", "bee-11?"], false).expect("drawn");
+        assert_ne!(two, one);
+        assert_ne!(drawn(&["bee-8"], true).expect("drawn"), one, "with a grid");
+        let said = drawn(&["bee-8", "wasp-*"], true)
+            .expect_err("none")
+            .to_string();
+        assert!(said.contains("`wasp-*`") && said.contains("300"), "{said}");
+    });
+}
+
+#[test]
+fn a_wall_of_bricks_shows_its_bricks() {
+    opened(|recording| {
+        let wall = |texture: &str| {
+            let mut stage = stage();
+            for prop in &mut stage.props {
+                prop.texture = texture.to_owned();
+                prop.color = [170, 170, 170, 255];
+            }
+            let choices = Choices {
+                view: View::From {
+                    eye_m: DVec3::new(-4.0, -6.0, 1.0),
+                    at_m: Some(DVec3::new(-4.0, 0.0, 1.0)),
+                },
+                models: vec!["bee-299".to_owned()],
+                captions: false,
+                ..orbit()
+            };
+            let mut film = Film::new(recording, &stage, choices, 0..=0).expect("a film");
+            let picture = film.picture(0).expect("a picture");
+            // In the middle of the wall.
+            let row = &picture.rgb[3 * (90 * 320 + 100)..3 * (90 * 320 + 220)];
+            row.as_chunks::<3>().0.to_vec()
+        };
+        let differ = |row: &[[u8; 3]]| {
+            let steps = row
+                .windows(2)
+                .filter(|pair| pair[0][1].abs_diff(pair[1][1]) > 8);
+            steps.count()
+        };
+        let [bricks, bare, missing] = ["brick", "", "pictures/gone.png"].map(wall);
+        assert!(differ(&bricks) >= 4, "{bricks:?}");
+        assert!(
+            bricks.iter().any(|[r, _, b]| *r > b + 40),
+            "red: {bricks:?}"
+        );
+        assert_eq!(differ(&bare), 0);
+        assert_eq!(bare, missing);
+    });
+}
+
+#[test]
 fn what_is_not_there_says_what_is() {
     opened(|recording| {
         let said = |choices: Choices, times: std::ops::RangeInclusive<u64>| {
@@ -261,6 +341,17 @@ fn what_is_not_there_says_what_is() {
                     0..=0,
                 ),
                 ["8 x 8", "16 to 8192"],
+            ),
+            (
+                said(
+                    Choices {
+                        size: [8192, 8192],
+                        fineness: 2,
+                        ..orbit()
+                    },
+                    0..=0,
+                ),
+                ["256 million", "64 million are the most"],
             ),
         ] {
             for part in parts {

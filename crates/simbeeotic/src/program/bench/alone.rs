@@ -5,6 +5,7 @@
 //! gets the answer as JSON.
 
 use super::arguments::Clock;
+use super::measure::Stopwatch;
 use super::workload::Cost;
 use super::{Failure, process, say};
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,9 @@ pub(super) struct Run {
     packets: [u64; 2],
     /// Growth of the process's greatest memory by this run, bytes.
     pub(super) memory_bytes: Option<f64>,
+    /// How long it took with all that comes before and after, such as making the world; wall time, s.
+    #[serde(default)]
+    pub(super) whole_s: f64,
 }
 
 impl Run {
@@ -40,6 +44,7 @@ impl Run {
             packets: cost.packets,
             cost,
             memory_bytes: Some(2048.0),
+            whole_s: 0.0,
         }
     }
 }
@@ -89,6 +94,7 @@ pub(super) fn tell(
         packets: cost.packets,
         cost,
         memory_bytes: memory.map(|(after, before)| after - before),
+        whole_s: 0.0,
     };
     say(serde_json::to_string(&run).map_err(Failure::run)?)
 }
@@ -102,6 +108,7 @@ pub(super) fn run(case: Case, wall_s: Option<f64>) -> Result<Run, Failure> {
         None => format!("{line}:{size}"),
         Some(wall_s) => format!("{line}:{size}:{wall_s}"),
     };
+    let begun = Stopwatch::start();
     let output = Command::new(program)
         .args(std::env::args_os().skip(1))
         .args(["--alone", &order])
@@ -119,6 +126,7 @@ pub(super) fn run(case: Case, wall_s: Option<f64>) -> Result<Run, Failure> {
     }
     let mut run: Run = serde_json::from_slice(&output.stdout).map_err(|e| failed(e.to_string()))?;
     run.cost.packets = run.packets;
+    run.whole_s = begun.elapsed_s();
     Ok(run)
 }
 

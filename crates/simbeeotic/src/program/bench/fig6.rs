@@ -64,7 +64,9 @@ pub(in crate::program) struct Options {
 
 /// What is below the options in the help.
 pub(super) const HELP: &str = "\
-Numbers: 0,10,100,1000,10000,100000, each for 100 s; with --full also 2, 5, 20, 50 and so on.
+Numbers: 0,10,100,1000,10000,100000, each for 100 s; with --full also 1, 2, 5, 20, 50 and so on. The limit is
+searched beyond them, up to ten million, as far as the time (--within) and half of the free memory go: an
+obstacle takes about a kilobyte.
 
 Examples:
   simbeeotic bench fig6
@@ -181,9 +183,8 @@ impl Experiment for Fig6<'_> {
             .collect()
     }
 
-    /// What is not reached by the table is not searched: it would be a bench of making worlds.
     fn ceiling(&self) -> u32 {
-        self.numbers.last().copied().unwrap_or(0)
+        OBSTACLES_MAX
     }
 
     /// More than of the others: its runs are short.

@@ -235,9 +235,6 @@ const ARGOS: [(u32, f64); 4] = [
 
 /// What others need for the like.
 fn peers(rows: &[Row]) {
-    remark(
-        "the paper's soft real-time limit for this workload: 3,074 MAVs (2.2 GHz quad-core, 2011)",
-    );
     let beside: Vec<String> = rows
         .iter()
         .filter_map(|row| {

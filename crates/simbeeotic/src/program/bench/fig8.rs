@@ -274,9 +274,6 @@ fn peers(options: &Options, rows: &[Row]) {
         );
     }
     if options.swarms.start == "paper" {
-        remark(
-            "the paper's soft real-time limit for this workload: 550 MAVs (2.2 GHz quad-core, 2011)",
-        );
         let of_theirs = rows.iter().filter(|row| row.n == ARGOS.0);
         let ours: Vec<String> = of_theirs
             .filter_map(|row| {

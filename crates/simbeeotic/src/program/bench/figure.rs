@@ -1,5 +1,6 @@
-//! The plot of an experiment: wall time for the paper's 100 virtual seconds over the size, as in the paper's
-//! figures; the soft real-time limits as dashed lines, here and there.
+//! The plots of an experiment: wall time for the paper's 100 virtual seconds over the size, as in the paper's
+//! figures; the soft real-time limits as dashed lines, here and there. Once with the paper's axes, which begin at
+//! zero and are even; once with logarithmic ones, where the small sizes, and the paper's, have as much room as ours.
 
 use super::arguments::Clock;
 use super::limit::{Limit, count};
@@ -29,6 +30,19 @@ pub(super) struct Figure<'a> {
     pub(super) duration_s: f64,
     pub(super) clock: Clock,
 }
+
+/// How numbers lie on both axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axes {
+    /// From zero, evenly: as the paper has them.
+    Even,
+    /// Equal ratios are equally wide.
+    Log,
+}
+
+/// Where soft real time ends is drawn on even axes if so much of the time is at least this share of it: else all
+/// curves would lie on the ground.
+const LEVEL_SHARE: f64 = 0.2;
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [1100, 740];
@@ -79,13 +93,12 @@ fn paper_ink() -> Ink {
 const MARKERS: [Marker; 2] = [Marker::Disc, Marker::Square];
 
 impl Figure<'_> {
-    pub(super) fn draw(&self) -> Sheet {
+    pub(super) fn draw(&self, axes: Axes) -> Sheet {
         let mut curves = Vec::new();
         for line in 0..self.lines.len() {
             curves.extend(self.curves(line));
         }
         curves.extend(self.probes());
-        let rules = self.rules();
         let known = self.paper.limit.map(|n| [f64::from(n), paper::DURATION_S]);
         curves.extend(known.map(|point| Curve {
             name: "paper: real time ends".to_owned(),
@@ -98,26 +111,41 @@ impl Figure<'_> {
 
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let spreads = curves.iter().flat_map(|curve| &curve.spread);
-        let upright = rules.iter().filter_map(|rule| match rule.across {
+        let upright = self.rules(true).into_iter();
+        let upright = upright.filter_map(|rule| match rule.across {
             Across::X(x) => Some(x),
             Across::Y(_) => None,
         });
-        let xs = points().map(|[x, _]| *x).chain(upright);
-        let ys = points().map(|[_, y]| *y).chain(spreads.flatten().copied());
-        let ys = ys.chain([paper::DURATION_S]);
+        let xs = ends(points().map(|[x, _]| *x).chain(upright));
+        let ys: Vec<f64> = (points().map(|[_, y]| *y).chain(spreads.flatten().copied())).collect();
+        let highest = ys.iter().copied().fold(0.0, f64::max);
+        let level = axes == Axes::Log || highest >= LEVEL_SHARE * paper::DURATION_S;
+        let rules = self.rules(level);
+        let ys = ends(ys.into_iter().chain(level.then_some(paper::DURATION_S)));
         let zero = points().any(|[x, _]| *x == 0.0);
+        let up = format!("{} for 100 virtual seconds, s", self.clock.name());
+        let (x, y) = match axes {
+            Axes::Even => (
+                Axis::stretched(self.x, 0.0, xs[1], 8.0),
+                Axis::stretched(up, 0.0, ys[1], 8.0),
+            ),
+            Axes::Log => (Axis::log(self.x, xs, zero), Axis::log(up, ys, false)),
+        };
+        let mut notes = self.notes();
+        if !level {
+            notes.insert(
+                0,
+                "Soft real time ends at 100 s, far above: all that was run keeps it.".to_owned(),
+            );
+        }
         let chart = Chart {
             title: self.title.to_owned(),
             caption: self.setup.clone(),
-            x: Axis::log(self.x, ends(xs), zero),
-            y: Axis::log(
-                format!("{} for 100 virtual seconds, s", self.clock.name()),
-                ends(ys),
-                false,
-            ),
+            x,
+            y,
             curves,
             rules,
-            notes: self.notes(),
+            notes,
         };
         let [width, height] = SIZE;
         chart.draw(width, height)
@@ -125,9 +153,16 @@ impl Figure<'_> {
 
     /// Where the time of one curve goes.
     fn curves(&self, line: usize) -> Vec<Curve> {
-        let rows: Vec<&Row> = (self.measured.rows.iter())
-            .filter(|row| row.case.line == line)
-            .collect();
+        let own = |row: &&Row| row.case.line == line;
+        let mut rows: Vec<&Row> = self.measured.rows.iter().filter(own).collect();
+        rows.extend(
+            self.measured
+                .probes
+                .iter()
+                .filter(own)
+                .filter(|row| self.beyond(row)),
+        );
+        rows.sort_by_key(|row| row.case.size);
         let shares = if line == 0 || self.all_shares {
             SHARES.len()
         } else {
@@ -170,9 +205,16 @@ impl Figure<'_> {
         curves
     }
 
-    /// What was run to find the limits, as points.
+    /// Whether what was run to find a limit is larger than all rows: then it is the end of the curves.
+    fn beyond(&self, probe: &Row) -> bool {
+        let mut rows = self.measured.rows.iter();
+        rows.all(|row| row.case.size < probe.case.size)
+    }
+
+    /// What was run between the rows to find the limits, as points.
     fn probes(&self) -> Option<Curve> {
-        let points: Vec<_> = (self.measured.probes.iter())
+        let probes = self.measured.probes.iter();
+        let points: Vec<_> = (probes.filter(|probe| !self.beyond(probe)))
             .map(|row| {
                 let ratios = row.runs.iter().map(|run| run.ratio(self.clock));
                 let least = ratios.fold(f64::INFINITY, f64::min);
@@ -189,30 +231,58 @@ impl Figure<'_> {
         })
     }
 
-    fn rules(&self) -> Vec<Rule> {
-        let mut rules = vec![Rule {
-            across: Across::Y(paper::DURATION_S),
-            label: "soft real time ends".to_owned(),
-            ink: FAINT,
-        }];
-        for (line, limit) in self.measured.limits.iter().enumerate() {
-            let whose = match self.lines.len() {
-                1 => "here".to_owned(),
-                _ => format!("here, {}", self.lines[line]),
+    /// The dashed lines; `level`: also where soft real time ends.
+    fn rules(&self, level: bool) -> Vec<Rule> {
+        let mut rules = Vec::new();
+        if level {
+            rules.push(Rule {
+                across: Across::Y(paper::DURATION_S),
+                label: "soft real time ends".to_owned(),
+                ink: FAINT,
+            });
+        }
+        // Curves with the same limit have one line.
+        let mut limits: Vec<(u32, String, Vec<&str>)> = Vec::new();
+        for (limit, line) in self.measured.limits.iter().zip(&self.lines) {
+            // What was never lost is lost somewhere to the right of the largest that was run.
+            let (at, said) = match (limit.estimate, limit.low, limit.high) {
+                (Some(n), ..) => (n, format!("{}{}", count(n), bracket(limit))),
+                (None, Some(low), None) if low > 0 => {
+                    (low, format!("above {} \u{2192}", count(low)))
+                }
+                _ => continue,
             };
-            if let Some(n) = limit.estimate {
-                rules.push(Rule {
-                    across: Across::X(f64::from(n)),
-                    label: format!("{whose}: {}{}", count(n), bracket(limit)),
-                    ink: series(0),
-                });
+            match limits
+                .iter_mut()
+                .find(|(n, text, _)| (*n, &*text) == (at, &said))
+            {
+                Some((.., lines)) => lines.push(line),
+                None => limits.push((at, said, vec![line])),
             }
+        }
+        for (at, said, lines) in limits {
+            let label = match self.lines.len() {
+                1 => format!("here: {said}"),
+                _ => format!("here, {}: {said}", lines.join(" and ")),
+            };
+            rules.push(Rule {
+                across: Across::X(f64::from(at)),
+                label,
+                ink: series(0),
+            });
         }
         if let Some(n) = self.paper.limit {
             rules.push(Rule {
                 across: Across::X(f64::from(n)),
                 label: format!("paper: {}", count(n)),
                 ink: paper_ink(),
+            });
+        }
+        if let Some(n) = self.paper.goal {
+            rules.push(Rule {
+                across: Across::X(f64::from(n)),
+                label: format!("the paper's goal: {}", count(n)),
+                ink: paper_ink().thin(0.55),
             });
         }
         rules
@@ -253,7 +323,8 @@ impl Figure<'_> {
         ));
         notes.push(format!("Here: {}.", self.machine.line()));
         notes.push(format!(
-            "Paper (2012), {}: {}.",
+            "Paper ({}), {}: {}.",
+            paper::SOURCE,
             paper::CPU,
             self.paper.says
         ));
@@ -303,7 +374,7 @@ mod tests {
     use super::*;
     use crate::program::plot::sheet::{Shape, Words};
 
-    fn draw(estimate: Option<u32>, clock: Clock) -> Sheet {
+    fn draw(estimate: Option<u32>, clock: Clock, axes: Axes) -> Sheet {
         let row = |size: u32| {
             let runs = [1.0, 2.0].map(|slow| Run::of(cost(slow * f64::from(size) / 4120.0, "a")));
             Row::new(Case { line: 0, size }, runs.to_vec()).expect("two runs")
@@ -317,7 +388,7 @@ mod tests {
         };
         let measured = Measured {
             rows: vec![row(1_000), row(40_000)],
-            probes: vec![row(42_500)],
+            probes: vec![row(39_000), row(42_500)],
             limits: vec![limit],
         };
         let figure = Figure {
@@ -332,7 +403,7 @@ mod tests {
             duration_s: 10.0,
             clock,
         };
-        figure.draw()
+        figure.draw(axes)
     }
 
     /// The words of a picture, and the upright dashed lines.
@@ -350,10 +421,15 @@ mod tests {
 
     #[test]
     fn a_limit_that_was_found_is_a_dashed_line_beside_the_papers() {
-        let sheet = draw(Some(41_200), Clock::Wall);
+        let sheet = draw(Some(41_200), Clock::Wall, Axes::Even);
         let (words, dashed) = seen(&sheet);
-        assert_eq!(dashed, 2);
-        for expected in ["here: 41,200", "paper: 3,074", "all, in the search"] {
+        assert_eq!(dashed, 3);
+        for expected in [
+            "here: 41,200",
+            "paper: 3,074",
+            "the paper's goal: 1,000",
+            "all, in the search",
+        ] {
             assert!(words.contains(&expected), "{expected}: {words:?}");
         }
         assert!(words.iter().any(|text| text.contains("drawn 10 times")));
@@ -361,11 +437,35 @@ mod tests {
     }
 
     #[test]
-    fn a_limit_that_was_not_found_is_told_and_not_drawn() {
-        let sheet = draw(None, Clock::Processor);
+    fn a_limit_that_was_not_found_is_drawn_at_the_largest_that_was_run() {
+        let sheet = draw(None, Clock::Processor, Axes::Log);
         let (words, dashed) = seen(&sheet);
-        assert_eq!(dashed, 1, "the paper's");
+        assert_eq!(dashed, 3);
+        assert!(words.contains(&"here: above 40,000 \u{2192}"), "{words:?}");
         assert!(words.iter().any(|text| text.contains("as the search says")));
         assert!(words.contains(&"processor time for 100 virtual seconds, s"));
+    }
+
+    #[test]
+    fn the_papers_axes_are_even_and_begin_at_zero() {
+        let ticks = |axes| {
+            let sheet = draw(Some(41_200), Clock::Wall, axes);
+            let (words, _) = seen(&sheet);
+            let numbers = words.iter().filter_map(|text| {
+                let text = text.replace([',', '\u{2009}', '\u{202f}', ' '], "");
+                text.parse::<f64>().ok()
+            });
+            numbers.collect::<Vec<f64>>()
+        };
+        let (even, log) = (ticks(Axes::Even), ticks(Axes::Log));
+        assert_eq!(
+            even.iter().filter(|tick| **tick == 0.0).count(),
+            2,
+            "{even:?}"
+        );
+        for step in [10_000.0, 20_000.0, 30_000.0, 40_000.0] {
+            assert!(even.contains(&step), "{step}: {even:?}");
+        }
+        assert!(!log.contains(&0.0) && log.contains(&1_000.0), "{log:?}");
     }
 }

@@ -1,4 +1,5 @@
-//! What an experiment leaves: a table as CSV and as Parquet, a plot as SVG and as PNG.
+//! What an experiment leaves: a table as CSV and as Parquet; a plot with the paper's axes and one with logarithmic
+//! axes, each as SVG and as PNG.
 //!
 //! The table has one row for each run, so that nothing is lost; one for each limit; and the paper's own
 //! numbers as rows of their own.
@@ -7,7 +8,7 @@
 //! |---|---|---|
 //! | `figure` | | `fig6`, `fig7` or `fig8` |
 //! | `source` | | `measured` here, or `paper` |
-//! | `kind` | | `row` of the table, `probe` of the search for the limit, or `limit` |
+//! | `kind` | | `row` of the table, `probe` of the search for the limit, `limit`, or the paper's `goal` |
 //! | `n`, `obstacles` | 1 | bees, and obstacles; at a limit the one that was searched is the limit |
 //! | `low`, `high` | 1 | of a limit: largest size that kept real time, smallest that did not |
 //! | `threads` | 1 | threads that ran models |
@@ -120,36 +121,44 @@ impl Files<'_> {
                 ..entry("measured", "limit")
             });
         }
-        let mut facts = Facts::default();
-        (self.searched)(&mut facts, self.paper.limit);
-        if self.figure == "fig6" {
-            facts.n = Some(super::fig6::BEES);
-        }
-        entries.push(Entry {
-            facts,
-            // At the limit the two are equal, by what soft real time is.
-            times_s: (self.paper.limit).map(|_| [paper::DURATION_S; 2]),
-            machine: Some(Machine {
-                cores: 4,
-                cpu: paper::CPU.to_owned(),
-                os: String::new(),
-                version: paper::VERSION.to_owned(),
-            }),
-            note: self.paper.says.to_owned(),
-            ..entry(
-                "paper",
-                if self.paper.limit.is_some() {
-                    "limit"
-                } else {
-                    "row"
-                },
-            )
-        });
+        let theirs = |kind, size: Option<u32>, times_s, note: &str| {
+            let mut facts = Facts::default();
+            (self.searched)(&mut facts, size);
+            if self.figure == "fig6" {
+                facts.n = Some(super::fig6::BEES);
+            }
+            Entry {
+                facts,
+                times_s,
+                machine: Some(Machine {
+                    cores: 4,
+                    cpu: paper::CPU.to_owned(),
+                    os: String::new(),
+                    version: paper::VERSION.to_owned(),
+                }),
+                note: format!("{note} ({})", paper::SOURCE),
+                ..entry("paper", kind)
+            }
+        };
+        let Paper { limit, goal, says } = self.paper;
+        let kind = if limit.is_some() { "limit" } else { "row" };
+        // At the limit the two are equal, by what soft real time is.
+        let times_s = limit.map(|_| [paper::DURATION_S; 2]);
+        entries.push(theirs(kind, limit, times_s, says));
+        entries.extend(goal.map(|goal| {
+            let note = "its goal: so many in soft real time or better";
+            theirs("goal", Some(goal), None, note)
+        }));
         entries
     }
 
     /// Writes them into a folder, which is made if need be; gives their names.
-    pub(super) fn write(&self, folder: &Path, chart: &Sheet) -> Result<Vec<PathBuf>, Failure> {
+    /// `even` and `log` are the two plots.
+    pub(super) fn write(
+        &self,
+        folder: &Path,
+        [even, log]: [&Sheet; 2],
+    ) -> Result<Vec<PathBuf>, Failure> {
         std::fs::create_dir_all(folder)
             .map_err(|e| Failure::run(format!("cannot make {}: {e}", folder.display())))?;
         let path = |ending: &str| folder.join(format!("{}.{ending}", self.figure));
@@ -163,12 +172,15 @@ impl Files<'_> {
         let parquet = path("parquet");
         write_table(&parquet, &columns).map_err(Failure::run)?;
         remark(format!("wrote {}", parquet.display()));
-        let pictures = [(path("svg"), Format::Svg), (path("png"), Format::Png)];
-        for (path, format) in &pictures {
-            plot::save(chart, path, *format)?;
+        let mut files = vec![table, parquet];
+        for (sheet, name) in [(even, ""), (log, "-log")] {
+            for (ending, format) in [("svg", Format::Svg), ("png", Format::Png)] {
+                let path = folder.join(format!("{}{name}.{ending}", self.figure));
+                plot::save(sheet, &path, format)?;
+                files.push(path);
+            }
         }
-        let [(svg, _), (png, _)] = pictures;
-        Ok(vec![table, parquet, svg, png])
+        Ok(files)
     }
 }
 

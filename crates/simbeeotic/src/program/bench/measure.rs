@@ -4,7 +4,7 @@ use super::alone::{self, Case, Order, Run};
 use super::arguments::{Clock, Common};
 use super::limit::{Limit, Search, count};
 use super::workload::Cost;
-use super::{Failure, remark, table};
+use super::{Failure, process, remark, table};
 use std::time::{Duration, Instant};
 
 /// What can be measured: curves over a size.
@@ -70,6 +70,9 @@ fn hopeless(clock: Clock) -> f64 {
         Clock::Processor => 4.0,
     }
 }
+
+/// A single run decides if it is so many times faster or slower than real time.
+const CLEAR: f64 = 4.0;
 
 /// Measures; or, if this is a process for one run, makes that: then there is nothing more to do.
 pub(super) fn measure(experiment: &impl Experiment) -> Result<Option<Measured>, Failure> {
@@ -144,21 +147,29 @@ fn limit(
     let known: Vec<_> = of_line
         .map(|row| (row.case.size, row.ratio(common.clock)))
         .collect();
+    let room = room(rows, process::free_bytes());
     let search = Search {
-        ceiling: experiment.ceiling(),
+        ceiling: experiment.ceiling().min(room),
         tolerance: TOLERANCE,
     };
     let longest_s = hopeless(common.clock) * experiment.duration_s();
     let repeat = common.repeat.unwrap_or_else(|| experiment.repeats());
-    search.run(&known, |size| {
+    let largest = rows.iter().filter(|row| row.case.line == line).next_back();
+    let mut last = largest.map(|row| (row.case.size, whole_s(&row.runs)));
+    let mut limit = search.run(&known, |size| {
         let mut runs: Vec<Run> = Vec::new();
         while (runs.len() as u32) < repeat && !decided(&runs, repeat, common.clock) {
             // One run is better than none, several are better than one: if there is time for them.
-            if budget.left_s() < experiment.duration_s() {
+            let takes_s = match runs.last() {
+                Some(run) => run.whole_s,
+                None => last.map_or(0.0, |(n, s)| s * f64::from(size) / f64::from(n.max(1))),
+            };
+            if budget.left_s() < takes_s.min(longest_s) {
                 break;
             }
             runs.push(alone::run(Case { line, size }, Some(longest_s))?);
         }
+        last = (!runs.is_empty()).then(|| (size, whole_s(&runs))).or(last);
         let Some(row) = Row::new(Case { line, size }, runs) else {
             return Ok(None);
         };
@@ -166,20 +177,52 @@ fn limit(
         if !common.json {
             let name = &experiment.lines()[line];
             let count = count(size);
+            let digits = if ratio < 0.1 { 4 } else { 2 };
             remark(format!(
-                "limit, {name}: {count} take {ratio:.2} s a virtual second"
+                "limit, {name}: {count} take {ratio:.digits$} s a virtual second"
             ));
         }
         probes.push(row);
         Ok(Some(ratio))
-    })
+    })?;
+    if limit.settled && limit.high.is_none() {
+        limit.text.push_str(match room < experiment.ceiling() {
+            true => ", the most that the memory has room for",
+            false => ", the most that is tried",
+        });
+    }
+    Ok(limit)
 }
+
+/// The most that one of several runs took, all in all, s.
+fn whole_s(runs: &[Run]) -> f64 {
+    runs.iter().map(|run| run.whole_s).fold(0.0, f64::max)
+}
+
+/// The largest size for which half of the free memory is enough, by what the largest rows took.
+fn room(rows: &[Row], free_bytes: Option<f64>) -> u32 {
+    let each = |row: &Row| {
+        let bytes = row.runs.iter().filter_map(|run| run.memory_bytes);
+        let bytes = bytes.fold(0.0, f64::max);
+        (row.case.size >= ROOM_LEAST).then(|| bytes / f64::from(row.case.size))
+    };
+    let each = rows.iter().filter_map(each).fold(0.0, f64::max);
+    match free_bytes {
+        Some(free) if each > 0.0 => (0.5 * free / each).min(f64::from(u32::MAX)) as u32,
+        _ => u32::MAX,
+    }
+}
+
+/// Smaller runs say more of the program than of what they hold.
+const ROOM_LEAST: u32 = 10_000;
 
 /// Whether the runs that are still to come cannot change on which side of 1 the median is.
 fn decided(runs: &[Run], repeat: u32, clock: Clock) -> bool {
+    // So far from real time no disturbance leads.
+    let clear = |run: &Run| !(1.0 / CLEAR..=CLEAR).contains(&run.ratio(clock));
     let real_time = runs.iter().filter(|run| run.ratio(clock) <= 1.0).count();
     let most = repeat as usize / 2;
-    real_time > most || runs.len() - real_time > most
+    runs.iter().any(clear) || real_time > most || runs.len() - real_time > most
 }
 
 /// The middle one; of an even number the larger of the two in the middle.
@@ -188,26 +231,39 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Wall time that may be spent.
-struct Budget {
-    start: Instant,
-    whole_s: f64,
-}
+/// Wall time since it was started.
+pub(super) struct Stopwatch(Instant);
 
-impl Budget {
+impl Stopwatch {
     #[expect(
         clippy::disallowed_methods,
         reason = "measures the simulator, not the simulation"
     )]
+    pub(super) fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    pub(super) fn elapsed_s(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+}
+
+/// Wall time that may be spent.
+struct Budget {
+    start: Stopwatch,
+    whole_s: f64,
+}
+
+impl Budget {
     fn start(whole_s: f64) -> Self {
         Self {
-            start: Instant::now(),
+            start: Stopwatch::start(),
             whole_s,
         }
     }
 
     fn spent_s(&self) -> f64 {
-        self.start.elapsed().as_secs_f64()
+        self.start.elapsed_s()
     }
 
     fn left_s(&self) -> f64 {
@@ -231,6 +287,19 @@ mod tests {
     }
 
     #[test]
+    fn there_is_room_for_what_half_of_the_free_memory_holds() {
+        let row = |size, bytes| {
+            let mut run = Run::of(cost(1.0, "a"));
+            run.memory_bytes = Some(bytes);
+            Row::new(Case { line: 0, size }, vec![run]).expect("a run")
+        };
+        let rows = [row(10, 1e9), row(20_000, 2e7), row(100_000, 9e7)];
+        assert_eq!(room(&rows, Some(8e9)), 4_000_000);
+        assert_eq!(room(&rows[..1], Some(8e9)), u32::MAX, "too small to tell");
+        assert_eq!(room(&rows, None), u32::MAX);
+    }
+
+    #[test]
     fn a_probe_is_decided_by_most_of_its_runs() {
         let [fast, slow] = [5.0, 20.0].map(|wall_s| Run::of(cost(wall_s, "a")));
         let decided = |runs: &[Run], repeat| decided(runs, repeat, Clock::Wall);
@@ -239,6 +308,10 @@ mod tests {
         assert!(decided(&[slow.clone(), slow.clone()], 3));
         assert!(!decided(&[fast.clone(), slow.clone()], 3));
         assert!(decided(std::slice::from_ref(&slow), 1));
+        // A run that is far from real time needs no others.
+        let [hurried, stuck] = [1.0, 90.0].map(|wall_s| Run::of(cost(wall_s, "a")));
+        assert!(decided(std::slice::from_ref(&hurried), 7));
+        assert!(decided(std::slice::from_ref(&stuck), 7));
         // Of an even number the median is the larger one: slow if half of them are.
         assert!(!decided(&[fast.clone(), fast], 4));
         assert_eq!(median(vec![0.5, 2.0]), 2.0);

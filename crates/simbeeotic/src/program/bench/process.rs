@@ -61,12 +61,20 @@ pub(super) fn peak_bytes() -> Option<f64> {
     peak_of(&std::fs::read_to_string("/proc/self/status").ok()?)
 }
 
+/// Memory that can still be had without swapping (`MemAvailable`), bytes. `None` where there is no `/proc`.
+pub(super) fn free_bytes() -> Option<f64> {
+    let said = std::fs::read_to_string("/proc/meminfo").ok()?;
+    kib_of(&said, "MemAvailable:").map(|kib| kib * 1024.0)
+}
+
 fn peak_of(status: &str) -> Option<f64> {
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kib: f64 = line.trim().strip_suffix(" kB")?.trim().parse().ok()?;
-    Some(kib * 1024.0)
+    kib_of(status, "VmHWM:").map(|kib| kib * 1024.0)
+}
+
+/// The number of a line that begins so.
+fn kib_of(text: &str, name: &str) -> Option<f64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+    line.trim().strip_suffix(" kB")?.trim().parse().ok()
 }
 
 #[cfg(test)]

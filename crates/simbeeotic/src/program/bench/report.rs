@@ -2,13 +2,13 @@
 
 use super::alone::Case;
 use super::arguments::Common;
-use super::figure::{self, Figure};
+use super::figure::{self, Axes, Figure};
 use super::files::{Facts, Files};
 use super::limit::Limit;
 use super::machine::Machine;
 use super::measure::{Experiment, Measured, Row};
-use super::paper::Paper;
-use super::{Failure, say};
+use super::paper::{self, Paper};
+use super::{Failure, remark, say};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -62,6 +62,7 @@ struct Line<'a> {
 struct Theirs<'a> {
     limit: Option<u32>,
     says: &'a str,
+    source: &'a str,
 }
 
 impl Report<'_> {
@@ -79,6 +80,11 @@ impl Report<'_> {
             for (limit, line) in measured.limits.iter().zip(&lines) {
                 say(format!("limit: {}", figure::said(limit, line, lines.len())))?;
             }
+            remark(format!(
+                "the paper ({}): {}",
+                paper::SOURCE,
+                self.paper.says
+            ));
         }
         let files = match common.no_files {
             true => Vec::new(),
@@ -102,6 +108,7 @@ impl Report<'_> {
             paper: Theirs {
                 limit: self.paper.limit,
                 says: self.paper.says,
+                source: paper::SOURCE,
             },
             files,
         };
@@ -135,7 +142,10 @@ impl Report<'_> {
             searched: self.searched,
             clock: experiment.common().clock,
         };
-        files.write(&folder(experiment.common(), self.name), &figure.draw())
+        files.write(
+            &folder(experiment.common(), self.name),
+            [&figure.draw(Axes::Even), &figure.draw(Axes::Log)],
+        )
     }
 }
 
