@@ -6,6 +6,7 @@
 
 use crate::summary::MetricLine;
 use simbeeotic_kernel::ModelId;
+use std::collections::BTreeMap;
 
 /// The values of one name that one model has published. Those that are not numbers (NaN) do not count.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +61,7 @@ pub struct ModelMetric {
 
 /// All metrics of a run.
 #[derive(Debug, Default)]
-pub(crate) struct Metrics(Vec<Series>);
+pub(crate) struct Metrics(BTreeMap<(&'static str, &'static str), Series>);
 
 /// One name in one unit.
 #[derive(Debug)]
@@ -82,33 +83,21 @@ impl Metrics {
         if value.is_nan() {
             return;
         }
-        let known = self.0.iter().position(|s| s.name == name && s.unit == unit);
-        let at = known.unwrap_or_else(|| {
-            let tallies = Vec::new();
-            self.0.push(Series {
-                name,
-                unit,
-                tallies,
-            });
-            self.0.len() - 1
+        let series = self.0.entry((name, unit)).or_insert_with(|| Series {
+            name,
+            unit,
+            tallies: Vec::new(),
         });
-        let tallies = &mut self.0[at].tallies;
+        let tallies = &mut series.tallies;
         if tallies.len() <= model.index() {
             tallies.resize(model.index() + 1, Tally::NONE);
         }
         tallies[model.index()].add(value);
     }
 
-    /// The names in their order, those that first came last too.
-    fn sorted(&self) -> Vec<&Series> {
-        let mut all: Vec<&Series> = self.0.iter().collect();
-        all.sort_by_key(|series| (series.name, series.unit));
-        all
-    }
-
     /// What each model has published, by name, then by model.
     pub(crate) fn by_model(&self) -> Vec<ModelMetric> {
-        let all = self.sorted().into_iter().flat_map(|series| {
+        let all = self.0.values().flat_map(|series| {
             series.published().map(|(model, values)| ModelMetric {
                 model,
                 name: series.name,
@@ -121,7 +110,7 @@ impl Metrics {
 
     /// What all models have published, by name.
     pub(crate) fn lines(&self) -> Vec<MetricLine> {
-        self.sorted().into_iter().map(Series::line).collect()
+        self.0.values().map(Series::line).collect()
     }
 }
 

@@ -29,8 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     for precision in [Precision::Fine, Precision::Full] {
         let path = folder.join(format!("throughput-{precision:?}.mcap"));
-        for twists in [false, true] {
-            record(&path, precision, twists, vehicles, ticks)?;
+        for (twists, points) in [(false, false), (true, false), (true, true)] {
+            record(&path, precision, (twists, points), vehicles, ticks)?;
         }
         read(&path, vehicles, ticks)?;
     }
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn record(
     path: &Path,
     precision: Precision,
-    twists: bool,
+    (twists, points): (bool, bool),
     count: usize,
     ticks: u64,
 ) -> Result<(), Box<dyn Error>> {
@@ -54,6 +54,7 @@ fn record(
         vehicles: (0..count).map(vehicle).collect(),
         precision,
         twists,
+        points,
         ..Header::default()
     };
     let mut noise = Noise(1);
@@ -79,7 +80,7 @@ fn record(
     let rows = count as f64 * ticks as f64;
     let each_ns = |time: Duration| time.as_secs_f64() * 1e9 / rows;
     println!(
-        "{precision:?}, twists {twists}: {:.1} B a vehicle and tick; {:.0} ns in the run's thread, \
+        "{precision:?}, twists {twists}, points {points}: {:.1} B a vehicle and tick; {:.0} ns in the run's thread, \
          {:.0} ns blocked, {:.0} ns until all is written",
         stats.bytes as f64 / rows,
         each_ns(inside - blocked),

@@ -5,6 +5,7 @@ use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::message::{self, Timestamp};
 use crate::recorder::{Header, Precision};
 use crate::scene;
+use crate::schema::{self, Type};
 use crate::sink::{Progress, Sink};
 use crate::topic::Topic;
 use mcap::records::{MessageHeader, Metadata};
@@ -36,6 +37,8 @@ pub(crate) struct Encoder {
     in_chunk: usize,
     last_tick_ns: Option<u64>,
     poses: message::PosesInFrame,
+    /// `None`: there are to be no points.
+    cloud: Option<message::PointCloud>,
     twists: message::Twists,
     bytes: Vec<u8>,
 }
@@ -73,11 +76,14 @@ impl Encoder {
             })?;
         }
 
+        let solids = header.stage.as_ref().and_then(scene::solids_of);
         let mut channels = [0; Topic::ALL.len()];
         for topic in Topic::ALL {
             let used = match topic {
                 Topic::Twists => header.twists,
                 Topic::World | Topic::Points => header.stage.is_some(),
+                Topic::Solids => solids.is_some(),
+                Topic::Cloud => header.points,
                 Topic::Models => !header.models.is_empty(),
                 Topic::Images => false,
                 _ => true,
@@ -85,10 +91,15 @@ impl Encoder {
             if !used {
                 continue;
             }
-            let ty = topic.schema();
-            let schema = writer.add_schema(&ty.full_name(), "protobuf", &ty.descriptor_set())?;
+            let (schema, encoding) = match topic.schema() {
+                Some(ty) => (add_schema(&mut writer, ty)?, "protobuf"),
+                None => {
+                    let fields = scene::STRING_FIELDS;
+                    (writer.add_schema(scene::STRING, "ros2msg", fields)?, "cdr")
+                }
+            };
             channels[topic as usize] =
-                writer.add_channel(schema, topic.name(), "protobuf", &BTreeMap::new())?;
+                writer.add_channel(schema, topic.name(), encoding, &BTreeMap::new())?;
         }
 
         let mut encoder = Encoder {
@@ -104,6 +115,7 @@ impl Encoder {
                 frame_id: WORLD_FRAME.into(),
                 ..Default::default()
             },
+            cloud: (header.points).then(|| scene::cloud_of_vehicles(&header.vehicles)),
             twists: message::Twists::default(),
             bytes: Vec::new(),
         };
@@ -113,6 +125,10 @@ impl Encoder {
             if let Some(cloud) = scene::cloud_of(stage) {
                 encoder.apart(Topic::Points, &cloud)?;
             }
+        }
+        if let Some(solids) = &solids {
+            let channel = encoder.channels[Topic::Solids as usize];
+            encoder.bytes_on(channel, 0, solids)?;
         }
         for (models, about) in &header.models {
             encoder.apart(Topic::Models, &scene::pack_about(models, about))?;
@@ -171,6 +187,14 @@ impl Encoder {
         let written = self.message(Topic::Poses, time_ns, &poses);
         self.poses = poses;
         written?;
+
+        if let Some(mut cloud) = self.cloud.take() {
+            cloud.timestamp = timestamp;
+            scene::move_cloud(&mut cloud, samples);
+            let written = self.message(Topic::Cloud, time_ns, &cloud);
+            self.cloud = Some(cloud);
+            written?;
+        }
 
         if self.with_twists {
             let mut twists = std::mem::take(&mut self.twists);
@@ -263,9 +287,7 @@ impl Encoder {
         let channel = match self.cameras.get(&picture.path) {
             Some(channel) => *channel,
             None => {
-                let ty = Topic::Images.schema();
-                let schema =
-                    (self.writer).add_schema(&ty.full_name(), "protobuf", &ty.descriptor_set())?;
+                let schema = add_schema(&mut self.writer, &schema::RAW_IMAGE)?;
                 let name = format!("{}/{}", Topic::Images.name(), picture.path);
                 let nothing = BTreeMap::new();
                 let channel = self
@@ -288,17 +310,24 @@ impl Encoder {
         time_ns: u64,
         message: &impl Message,
     ) -> McapResult<()> {
-        self.bytes.clear();
+        let mut bytes = std::mem::take(&mut self.bytes);
+        bytes.clear();
         // Cannot fail: a vector grows.
-        message.encode(&mut self.bytes).map_err(io::Error::other)?;
+        message.encode(&mut bytes).map_err(io::Error::other)?;
+        let written = self.bytes_on(channel_id, time_ns, &bytes);
+        self.bytes = bytes;
+        written
+    }
+
+    fn bytes_on(&mut self, channel_id: u16, time_ns: u64, bytes: &[u8]) -> McapResult<()> {
         let header = MessageHeader {
             channel_id,
             sequence: 0,
             log_time: time_ns,
             publish_time: time_ns,
         };
-        self.writer.write_to_known_channel(&header, &self.bytes)?;
-        self.in_chunk += self.bytes.len();
+        self.writer.write_to_known_channel(&header, bytes)?;
+        self.in_chunk += bytes.len();
         self.progress.count_message();
         Ok(())
     }
@@ -332,6 +361,10 @@ impl Encoder {
         }
         Ok(())
     }
+}
+
+fn add_schema(writer: &mut Writer<Sink>, ty: &Type) -> McapResult<u16> {
+    writer.add_schema(&ty.full_name(), "protobuf", &ty.descriptor_set())
 }
 
 fn pose(sample: &Sample, precision: Precision) -> message::Pose {

@@ -12,8 +12,10 @@
 //! | `/vehicles` | `simbeeotic.Vehicles` | once, first: paths, kinds, radii, looks; their order is the order of all ticks |
 //! | `/world` | [`foxglove.SceneUpdate`](https://docs.foxglove.dev/docs/visualization/message-schemas/scene-update) | once: what stands in the world |
 //! | `/world/points` | [`foxglove.PointCloud`](https://docs.foxglove.dev/docs/visualization/message-schemas/point-cloud) | once: points on its surfaces |
+//! | `/robot_description` | `std_msgs/msg/String` | solids of the world as a URDF, in CDR: all that Rerun draws of it |
 //! | `/models` | `simbeeotic.About` | once for all models that are alike: parts, sensors, radios |
 //! | `/poses` | [`foxglove.PosesInFrame`](https://docs.foxglove.dev/docs/visualization/message-schemas/poses-in-frame) | every tick: all vehicles |
+//! | `/poses/points` | [`foxglove.PointCloud`](https://docs.foxglove.dev/docs/visualization/message-schemas/point-cloud) | where they are, in their colours |
 //! | `/twists` | `simbeeotic.Twists` | every tick, after its poses |
 //! | `/log` | [`foxglove.Log`](https://docs.foxglove.dev/docs/visualization/message-schemas/log) | what models say |
 //! | `/events` | `simbeeotic.Event` | contacts and other marks |
@@ -66,13 +68,14 @@
 //!
 //! | bytes a vehicle and tick | [`Precision::Fine`] | [`Precision::Full`] |
 //! |---|---|---|
+//! | poses, points and twists | 58 | 92 |
 //! | poses and twists | 49 | 83 |
 //! | poses only | 30 | 60 |
 //!
-//! What is said once: the world, 10 to 50 bytes a primitive and up to 160 kB of points; of each vehicle some 50 bytes
+//! What is said once: the world, 10 to 50 bytes a primitive and up to 160 kB of points; 20 bytes a solid of the URDF; of each vehicle some 50 bytes
 //! before compression.
 //!
-//! 10,000 bees once a second make 29 MB a minute; 1,000 bees at 10 Hz make 1.8 GB an hour. The
+//! 10,000 bees once a second make 35 MB a minute; 1,000 bees at 10 Hz make 2.1 GB an hour. The
 //! run's thread copies 104 B a vehicle and tick, some 35 ns; encoding and compression take some
 //! 400 ns on another thread. How often a tick is recorded is the caller's choice.
 //! `cargo run --release -p simbeeotic-record --example throughput` measures it.

@@ -39,12 +39,15 @@ pub struct Header {
     pub models: Vec<(Vec<String>, About)>,
     /// Whether ticks carry velocities and rates (24 B a vehicle before compression) or poses only.
     pub twists: bool,
+    /// Whether ticks carry the positions once more, to 1 mm, as a cloud of points in the vehicles' colours
+    /// (16 B a vehicle before compression): viewers that know nothing of vehicles draw that.
+    pub points: bool,
     /// How many digits are kept.
     pub precision: Precision,
 }
 
 impl Default for Header {
-    /// No vehicles, nothing known about the run; twists are recorded.
+    /// No vehicles, nothing known about the run; twists and points are recorded.
     fn default() -> Self {
         Header {
             version: String::new(),
@@ -56,6 +59,7 @@ impl Default for Header {
             stage: None,
             models: Vec::new(),
             twists: true,
+            points: true,
             precision: Precision::default(),
         }
     }

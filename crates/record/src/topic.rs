@@ -10,9 +10,13 @@ pub(crate) enum Topic {
     World,
     /// Points on it, for viewers that show no scenes.
     Points,
+    /// The solids of it that a URDF can say, for Rerun.
+    Solids,
     /// What models are made of.
     Models,
     Poses,
+    /// Where all are, as points in their colours, for viewers that draw nothing at poses.
+    Cloud,
     Twists,
     Log,
     Events,
@@ -26,12 +30,14 @@ pub(crate) enum Topic {
 }
 
 impl Topic {
-    pub(crate) const ALL: [Topic; 14] = [
+    pub(crate) const ALL: [Topic; 16] = [
         Topic::Vehicles,
         Topic::World,
         Topic::Points,
+        Topic::Solids,
         Topic::Models,
         Topic::Poses,
+        Topic::Cloud,
         Topic::Twists,
         Topic::Log,
         Topic::Events,
@@ -48,8 +54,10 @@ impl Topic {
             Topic::Vehicles => "/vehicles",
             Topic::World => "/world",
             Topic::Points => "/world/points",
+            Topic::Solids => "/robot_description",
             Topic::Models => "/models",
             Topic::Poses => "/poses",
+            Topic::Cloud => "/poses/points",
             Topic::Twists => "/twists",
             Topic::Log => "/log",
             Topic::Events => "/events",
@@ -70,11 +78,12 @@ impl Topic {
         Topic::ALL.into_iter().find(is)
     }
 
-    pub(crate) fn schema(self) -> &'static Type {
-        match self {
+    /// What its messages are; of [`Topic::Solids`], which is no protobuf, nothing.
+    pub(crate) fn schema(self) -> Option<&'static Type> {
+        Some(match self {
             Topic::Vehicles => &schema::VEHICLES,
             Topic::World => &schema::SCENE_UPDATE,
-            Topic::Points => &schema::POINT_CLOUD,
+            Topic::Points | Topic::Cloud => &schema::POINT_CLOUD,
             Topic::Models => &schema::ABOUT,
             Topic::Poses => &schema::POSES_IN_FRAME,
             Topic::Twists => &schema::TWISTS,
@@ -86,6 +95,7 @@ impl Topic {
             Topic::Radio => &schema::RADIO,
             Topic::Links => &schema::LINKS,
             Topic::Images => &schema::RAW_IMAGE,
-        }
+            Topic::Solids => return None,
+        })
     }
 }

@@ -11,11 +11,13 @@
 mod about;
 mod cloud;
 mod pack;
+mod solids;
 mod unpack;
 
 pub(crate) use about::{pack_about, unpack_about};
-pub(crate) use cloud::cloud_of;
+pub(crate) use cloud::{cloud_of, cloud_of_vehicles, move_cloud};
 pub(crate) use pack::{look_of, scene_of};
+pub(crate) use solids::{STRING, STRING_FIELDS, solids_of};
 pub(crate) use unpack::{pieces_of_look, stage_of};
 
 use crate::stage::{Form, Piece};

@@ -89,6 +89,15 @@ fn whole(half: DVec3) -> Option<Vector3> {
     Some(vector(half * 2.0))
 }
 
+/// Half the size of the slab below `z = 0` that the flat ground is drawn as, m; `None` if there is none.
+pub(super) fn ground_of(stage: &Stage) -> Option<DVec3> {
+    let [least, most] = stage.bounds().unwrap_or_default();
+    let reach = [least[0], least[1], most[0], most[1]];
+    let reach = reach.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let half = (1.5 * reach).min(stage.radius_m).max(GROUND_M);
+    (stage.plane).then_some(DVec3::new(half, half, 0.5 * GROUND_THICK_M))
+}
+
 struct Packer {
     precision: Precision,
     triangles_left: usize,
@@ -96,19 +105,11 @@ struct Packer {
 
 impl Packer {
     fn ground(&self, stage: &Stage) -> SceneEntity {
-        let mut cubes = Vec::new();
-        if stage.plane {
-            let [least, most] = stage.bounds().unwrap_or_default();
-            let reach = [least[0], least[1], most[0], most[1]];
-            let reach = reach.into_iter().map(f64::abs).fold(0.0, f64::max);
-            let half = (1.5 * reach).min(stage.radius_m).max(GROUND_M);
-            let below = DVec3::new(0.0, 0.0, -0.5 * GROUND_THICK_M);
-            cubes.push(Cube {
-                pose: Some(self.pose_at(below, [1.0, 0.0, 0.0, 0.0])),
-                size: whole(DVec3::new(half, half, 0.5 * GROUND_THICK_M)),
-                color: Some(color_of(stage.ground)),
-            });
-        }
+        let slab = ground_of(stage).map(|half| Cube {
+            pose: Some(self.pose_at(DVec3::new(0.0, 0.0, -half.z), [1.0, 0.0, 0.0, 0.0])),
+            size: whole(half),
+            color: Some(color_of(stage.ground)),
+        });
         let mut metadata = vec![
             pair("kind", "ground"),
             pair("color", &hex(stage.ground)),
@@ -122,7 +123,7 @@ impl Packer {
             frame_id: WORLD_FRAME.to_owned(),
             id: "ground".to_owned(),
             metadata,
-            cubes,
+            cubes: slab.into_iter().collect(),
             ..SceneEntity::default()
         }
     }

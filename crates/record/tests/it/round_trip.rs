@@ -48,7 +48,7 @@ fn what_is_recorded_is_read_back_bit_by_bit() {
     assert!(metrics.into_iter().eq(marked().map(swarm::metrics)));
 
     assert_eq!(stats.ticks, 250);
-    assert_eq!(stats.messages, 1 + 2 * 250 + 3 * 25);
+    assert_eq!(stats.messages, 1 + 3 * 250 + 3 * 25);
     assert_eq!(stats.safe_until_ns, Some(249 * TICK_NS));
     assert_eq!(stats.bytes, path.metadata().expect("there").len());
 }
@@ -109,9 +109,12 @@ fn poses_can_be_recorded_alone() {
     let path = folder.path().join("run.mcap");
     let header = Header {
         twists: false,
+        points: false,
         ..swarm::header(3)
     };
-    swarm::record(&path, header, 20);
+    let stats = swarm::record(&path, header, 20);
+    // The vehicles, and poses; of events, log and metrics one each ten ticks.
+    assert_eq!(stats.messages, 1 + 20 + 3 * 2);
 
     let recording = Recording::open(&path).expect("opens");
     assert!(!recording.has_twists());
@@ -242,7 +245,8 @@ fn the_mcap_library_reads_what_we_write() {
         .map(|message| message.expect("readable").channel.topic.clone())
         .collect();
     assert_eq!(topics.len() as u64, stats.messages);
-    assert_eq!(topics[..3], ["/vehicles", "/poses", "/twists"]);
+    let first = ["/vehicles", "/poses", "/poses/points", "/twists"];
+    assert_eq!(topics[..4], first);
 
     let summary = mcap::Summary::read(&bytes)
         .expect("readable")

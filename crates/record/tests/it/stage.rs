@@ -253,12 +253,20 @@ fn the_points_of_a_world_lie_in_a_cloud_that_viewers_know() {
     assert_eq!(schema("/world"), "foxglove.SceneUpdate");
     assert_eq!(schema("/world/points"), "foxglove.PointCloud");
     assert_eq!(schema("/models"), "simbeeotic.About");
+    assert_eq!(schema("/robot_description"), "std_msgs/msg/String");
+    assert_eq!(schema("/poses/points"), "foxglove.PointCloud");
     let topics: Vec<String> = mcap::MessageStream::new(&file)
         .expect("a stream")
         .map(|message| message.expect("readable").channel.topic.clone())
         .collect();
     assert_eq!(
-        topics[..4],
-        ["/vehicles", "/world", "/world/points", "/models"]
+        topics[..5],
+        [
+            "/vehicles",
+            "/world",
+            "/world/points",
+            "/robot_description",
+            "/models"
+        ]
     );
 }
