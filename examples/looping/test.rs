@@ -55,7 +55,7 @@ fn the_sweep_has_every_combination_with_every_seed() {
     let last = sweep.values(sweep.len() - 1);
     assert_eq!(last, ["1.6 rad", "60", "2"]);
     assert_eq!(sweep.seed(sweep.len() - 1), Some(5));
-    // The first one is what `run` flies.
+    // `run` flies what stands in the file.
     assert_eq!(loaded.setup().expect("good").models.len(), 21);
 }
 

@@ -31,8 +31,8 @@ pub(crate) struct Base {
     pub(crate) tree: Node,
     /// Variables that do not stand in the tree.
     pub(crate) given: Variables,
-    folder: PathBuf,
-    world: Option<PathBuf>,
+    pub(crate) folder: PathBuf,
+    pub(crate) world: Option<PathBuf>,
     sources: Sources,
 }
 
@@ -44,8 +44,16 @@ pub struct Loaded {
     faults: Vec<Fault>,
     sources: Sources,
     variables: Variables,
-    /// What varies, and the scenario with it.
-    sweep: Option<(Sweep, Node)>,
+    sweep: Option<Varied>,
+}
+
+/// What varies in a scenario.
+struct Varied {
+    sweep: Sweep,
+    /// The scenario with its sweep.
+    whole: Node,
+    /// Whether it has the values of the sweep's first run.
+    is_first: bool,
 }
 
 /// A scenario that cannot run, and why.
@@ -166,7 +174,7 @@ pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Reje
     let world = world.map(|path| path.with_extension("toml"));
     if let Some(name) = world.as_deref().and_then(Path::file_name) {
         let node = Node::string(Span::default(), name.to_string_lossy());
-        let whole = loaded.sweep.as_mut().map(|(_, whole)| whole);
+        let whole = loaded.sweep.as_mut().map(|varied| &mut varied.whole);
         if let Some(table) = whole.unwrap_or(&mut loaded.tree).as_table_mut() {
             table.set("world", node);
         }
@@ -179,7 +187,7 @@ pub fn convert_file(path: &Path, world: Option<&Path>) -> Result<Converted, Reje
         sweep,
         ..
     } = loaded;
-    let whole = sweep.map_or(tree, |(_, whole)| whole);
+    let whole = sweep.map_or(tree, |varied| varied.whole);
     Ok(Converted {
         toml: to_toml(&whole),
         faults,
@@ -279,10 +287,21 @@ impl Reading {
             Ok(sweep) => sweep,
             Err(tree) => return base.plan(tree, self.faults),
         };
-        let tree = sweep.tree(0, &mut self.faults);
-        match base.plan(tree, self.faults) {
+        let first = sweep.tree(0, &mut self.faults);
+        let mut is_first = crate::print::same(&base.tree, &first);
+        // A scenario is what stands in it; one that lacks a value of its sweep is the first of its runs.
+        let mut loaded = base.plan(base.tree.clone(), self.faults.clone());
+        if loaded.is_err() {
+            is_first = true;
+            loaded = base.plan(first, self.faults);
+        }
+        match loaded {
             Ok(mut loaded) => {
-                loaded.sweep = Some((sweep, whole));
+                loaded.sweep = Some(Varied {
+                    sweep,
+                    whole,
+                    is_first,
+                });
                 Ok(loaded)
             }
             Err(mut rejected) => {
@@ -395,9 +414,16 @@ impl Loaded {
         &self.name
     }
 
-    /// What varies, if something does. The rest is what is told of the first run.
+    /// What varies, if something does. All else is of the scenario as it stands, without its sweep.
     pub fn sweep(&self) -> Option<&Sweep> {
-        self.sweep.as_ref().map(|(sweep, _)| sweep)
+        self.sweep.as_ref().map(|varied| &varied.sweep)
+    }
+
+    /// Whether its values are those of the first run of its sweep. So it is if they stand in it; if it is XML,
+    /// whose variables have no values beside those that vary; and if it lacks a value that only its sweep
+    /// has.
+    pub fn is_first_of_sweep(&self) -> bool {
+        self.sweep.as_ref().is_some_and(|varied| varied.is_first)
     }
 
     /// The scenario, checked.
@@ -419,7 +445,7 @@ impl Loaded {
     /// [`toml`](Self::toml).
     pub fn toml_with_sweep(&self) -> String {
         match &self.sweep {
-            Some((_, whole)) => to_toml(whole),
+            Some(varied) => to_toml(&varied.whole),
             None => self.toml(),
         }
     }

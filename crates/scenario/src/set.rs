@@ -29,8 +29,16 @@ pub const VARY: &str = "--vary ";
 /// The same, of one that says the seeds.
 pub const SEEDS: &str = "--seeds ";
 
-/// Changes the tree of a scenario as one argument, `path=value`, says. One that begins with [`VARY`] or
-/// [`SEEDS`] changes what the scenario sweeps over.
+/// The same, of one that says the seed.
+pub const SEED: &str = "--seed ";
+/// The same, of one that says when the run ends.
+pub const END_TIME: &str = "--end-time ";
+/// Options for single values, and the paths of these.
+const SHORT: [(&str, [&str; 2]); 2] = [(SEED, ["run", "seed"]), (END_TIME, ["run", "end_time"])];
+
+/// Changes the tree of a scenario as one argument, `path=value`, says. One that begins with [`SEED`] or
+/// [`END_TIME`] has a value alone; one that begins with [`VARY`] or [`SEEDS`] changes what the scenario sweeps
+/// over.
 ///
 /// # Errors
 /// The argument is not of this form, or its path leads nowhere.
@@ -46,6 +54,17 @@ pub fn apply(root: &mut Node, argument: &str, sources: &mut Sources) -> Result<(
         return sweep_table(root, value.span, None)
             .map(|table| table.set(sweep::SEEDS, value))
             .map_err(|fault| vec![fault]);
+    }
+    for (flag, path) in SHORT {
+        if let Some(text) = argument.strip_prefix(flag) {
+            let source = sources.add(NAME, argument);
+            let key = |word: &str| Key {
+                text: word.to_owned(),
+                span: Span::new(source, 0, flag.len() - 1),
+            };
+            let value = value(text, source, flag.len())?;
+            return place(root, &path.map(key), value).map_err(|fault| vec![fault]);
+        }
     }
     let (flag, argument, example) = match argument.strip_prefix(VARY) {
         Some(rest) => (VARY, rest, "--vary \"model.bee.count=10,20,50\""),
@@ -107,15 +126,18 @@ fn sweep_table<'n>(
 /// `10 m..50 m step 10 m`.
 fn several(text: &str, source: SourceId, start: usize) -> Result<Node, Vec<Fault>> {
     let whole = Span::new(source, start, start + text.len());
-    if text.trim_start().starts_with(['[', '{']) {
+    if text.trim().is_empty() {
+        return Err(vec![Fault::error(whole, "there is no value here")]);
+    }
+    if text.trim_start().starts_with(['[', '{']) && between_commas(text).len() == 1 {
         return value(text, source, start);
     }
     if let Some((from, rest)) = text.split_once("..")
         && sweep::split_quantity(from).is_some()
     {
         let (to, step) = match rest.split_once("step") {
-            Some((to, step)) => (to, Some(step)),
-            None => (rest, None),
+            Some((to, step)) if !step.starts_with(char::is_alphabetic) => (to, Some(step)),
+            _ => (rest, None),
         };
         let mut table = Table::default();
         table.set("from", value(from, source, start)?);
@@ -129,11 +151,41 @@ fn several(text: &str, source: SourceId, start: usize) -> Result<Node, Vec<Fault
     }
     let mut from = start;
     let mut items = Vec::new();
-    for part in text.split(',') {
+    for part in between_commas(text) {
         items.push(value(part, source, from)?);
         from += part.len() + 1;
     }
     Ok(Node::new(whole, Value::Array(items)))
+}
+
+/// The pieces of a text between its commas, but for those inside of quotes and brackets.
+fn between_commas(text: &str) -> Vec<&str> {
+    let mut quote = None;
+    let (mut depth, mut from) = (0_i32, 0);
+    let mut pieces = Vec::new();
+    let mut letters = text.char_indices();
+    while let Some((at, letter)) = letters.next() {
+        match (letter, quote) {
+            // What a backslash stands before in TOML's basic text.
+            ('\\', Some('"')) => {
+                letters.next();
+            }
+            // Of `bee's` the quote is a letter.
+            ('"' | '\'', None) if depth > 0 || text[from..at].trim().is_empty() => {
+                quote = Some(letter);
+            }
+            (letter, Some(open)) if letter == open => quote = None,
+            ('[' | '{', None) => depth += 1,
+            (']' | '}', None) => depth -= 1,
+            (',', None) if depth <= 0 => {
+                pieces.push(&text[from..at]);
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(&text[from..]);
+    pieces
 }
 
 /// The first `=` that is not inside of quotes.
@@ -286,6 +338,25 @@ pub(crate) fn find<'n>(node: &'n Node, keys: &[Key]) -> Option<&'n Node> {
         Value::Array(items) => find(&items[element(items, key).ok()?], rest),
         _ => None,
     }
+}
+
+/// A path with the elements of lists by their places, so that two paths to one value are equal. From where it
+/// leads nowhere on, it is as it was.
+pub(crate) fn place_of(root: &Node, keys: &[Key]) -> Vec<String> {
+    let mut node = Some(root);
+    let step = |key: &Key| {
+        let (next, text) = match node.map(|node| &node.value) {
+            Some(Value::Table(table)) => (table.get(&key.text), None),
+            Some(Value::Array(items)) => match element(items, key) {
+                Ok(at) => (items.get(at), Some(at.to_string())),
+                Err(_) => (None, None),
+            },
+            _ => (None, None),
+        };
+        node = next;
+        text.unwrap_or_else(|| key.text.clone())
+    };
+    keys.iter().map(step).collect()
 }
 
 /// Which element of a list a key means: its name, what it uses, or its place.
@@ -442,6 +513,15 @@ mod tests {
             ),
             ("--vary x=[[1, 2], [3, 4]]", "x = [[1, 2], [3, 4]]"),
             ("--vary x={ uniform = [1, 2] }", "x = { uniform = [1, 2] }"),
+            (
+                "--vary world=\"a,b.toml\",c.toml",
+                "world = [\"a,b.toml\", \"c.toml\"]",
+            ),
+            (
+                "--vary x={ ball = \"2 m\", center = [1, 2] }, { ball = \"3 m\" },[4, 5]",
+                "x = [{ ball = \"2 m\", center = [1, 2] }, { ball = \"3 m\" }, [4, 5]]",
+            ),
+            ("--vary x=bee's,b", "x = [\"bee's\", \"b\"]"),
             (
                 "--vary world=../a.toml,../b.toml",
                 "world = [\"../a.toml\", \"../b.toml\"]",

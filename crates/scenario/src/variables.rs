@@ -122,6 +122,12 @@ impl Variables {
         self.known.keys().map(String::as_str)
     }
 
+    /// Names and values, a line each, for a hash; nobody has asked for them by that.
+    pub(crate) fn lines(&self) -> String {
+        let line = |(name, value): (&String, &Value)| format!("{name} = {value:?}\n");
+        self.known.iter().map(line).collect()
+    }
+
     /// The value of a variable as text.
     pub(crate) fn text(&self, name: &str) -> Option<String> {
         self.get(name).map(written)

@@ -10,7 +10,7 @@
 //! [record]     the recorder's parameters
 //! [[model]]    use, like, name, count, start, params, vehicle, sensor, radio, model (nested)
 //! [[component]] use, its own parameters
-//! [sweep]      what varies; it is taken out, and one combination put in, before a plan is made
+//! [sweep]      what varies; it is taken out before a plan is made
 //! ```
 //!
 //! The makers of all parts are asked at once, so that wrong parameters of the tenth model are told
@@ -131,6 +131,8 @@ pub(crate) fn plan(root: &Node, cx: &mut Context<'_>) -> Option<Plan> {
     }
     // Its values stand in the tree already.
     section.get(crate::variables::KEY);
+    // Taken out before; a word for guesses.
+    section.get(crate::sweep::KEY);
     section.finish(&mut cx.faults);
     let models = match models {
         Some(models) => models,

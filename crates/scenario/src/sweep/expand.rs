@@ -49,9 +49,11 @@ pub(crate) fn expand(draft: Draft, base: Base, faults: &mut Vec<Fault>) -> Resul
     let combinations = product.unwrap_or(sweep.combinations.len() as f64);
     let runs = combinations * each as f64;
     if runs > RUNS_MAX as f64 {
-        let message = format!(
-            "these are {runs} runs, {combinations} combinations with {each} seeds each; {RUNS_MAX} are the most"
-        );
+        let of = match each {
+            1 => String::new(),
+            each => format!(" ({combinations} combinations with {each} seeds each)"),
+        };
+        let message = format!("these are {runs} runs{of}, and {RUNS_MAX} are the most");
         faults.push(Fault::error(draft.span, message));
         return Err(sweep.first_values(faults));
     }
@@ -199,7 +201,11 @@ impl Expander<'_> {
         collect(&entry.node, &Table::default(), &mut names);
         let node = match names.is_empty() {
             true => entry.node.clone(),
-            false => self.resolved(&entry.node, places),
+            false => {
+                let mut node = self.resolved(&entry.node, places);
+                values::keep_once(&mut node);
+                node
+            }
         };
         let text = crate::print::value(&node);
         if let Some(known) = self.known[at].get(&text) {

@@ -15,18 +15,23 @@
 //! begin. Values may have placeholders, `{ from = "${low}", to = 9 }`; a key whose values name a
 //! variable that varies comes after that variable.
 //!
+//! Without its sweep a scenario is what stands in it.
+//!
 //! An XML scenario's `looping` and a master seed with several values are the same thing.
 //!
 //! Reading order: [`Sweep`], `read` (the tree to keys), `values` (what stands behind a key), `expand`
-//! (keys to combinations).
+//! (keys to combinations), `made_of` (what the runs hang on).
 
 mod expand;
+mod made_of;
 mod read;
 mod values;
 
+pub use made_of::hash_of;
+
 pub(crate) use expand::expand;
 pub(crate) use read::{Fixed, SEEDS, VARY, read};
-pub(crate) use values::split as split_quantity;
+pub(crate) use values::{said, split as split_quantity};
 
 /// Number and unit of a quantity in a text, `10 m`; the unit of a bare number is empty.
 pub fn quantity(text: &str) -> Option<(f64, &str)> {
@@ -135,7 +140,10 @@ impl Sweep {
     /// The tree of a run.
     pub(crate) fn tree(&self, run: usize, faults: &mut Vec<Fault>) -> Node {
         let mut tree = self.base.tree.clone();
-        for (axis, node) in self.nodes(run) {
+        let mut nodes: Vec<(&Axis, &Node)> = self.nodes(run).collect();
+        // A table before what is in it.
+        nodes.sort_by_key(|(axis, _)| axis.path.len());
+        for (axis, node) in nodes {
             faults.extend(crate::set::place(&mut tree, &axis.path, node.clone()).err());
         }
         let seeds = self.seeds.as_ref().filter(|_| run < self.len());
@@ -157,8 +165,7 @@ impl Sweep {
     }
 
     /// Puts together combinations until each value of each key has been in one of them, and tells what
-    /// is wrong with them, each fault once. [`load`](Self::load) tells what is wrong with the first run;
-    /// here it is left out. No more than [`CHECKED_MAX`] combinations are looked at.
+    /// is wrong with them, each fault once. No more than [`CHECKED_MAX`] combinations are looked at.
     ///
     /// # Errors
     /// Everything that is wrong with one of them.

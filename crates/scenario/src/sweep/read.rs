@@ -84,7 +84,7 @@ pub(crate) fn read(root: &mut Node, fixed: Fixed, faults: &mut Vec<Fault>) -> Op
             }
         }
     }
-    one_of_each(&mut draft.keys, faults);
+    one_of_each(root, &mut draft.keys, fixed, faults);
     if let Some(entry) = draft.keys.get(KEYS_MAX) {
         let message = format!("{KEYS_MAX} keys are the most that vary together");
         faults.push(Fault::error(entry.span, message));
@@ -160,23 +160,28 @@ fn join_variable(path: &mut Vec<Key>) {
     }
 }
 
-/// A key stands once; one of the command line replaces that of the file.
-fn one_of_each(keys: &mut Vec<Entry>, faults: &mut Vec<Fault>) {
-    let mut once: Vec<Entry> = Vec::new();
+/// A key stands once, whatever it is called (`model.0.count` may be `model.bee.count`); one of the command line
+/// replaces that of the file.
+fn one_of_each(root: &Node, keys: &mut Vec<Entry>, fixed: Fixed, faults: &mut Vec<Fault>) {
+    let mut once: Vec<(Vec<String>, Entry)> = Vec::new();
     for entry in keys.drain(..) {
-        let texts = |entry: &Entry| -> Vec<String> {
-            entry.path.iter().map(|key| key.text.clone()).collect()
-        };
-        match once.iter_mut().find(|e| texts(e) == texts(&entry)) {
-            Some(first) if first.span.source == entry.span.source => {
-                let message = format!("a second `{}`: a key varies once", entry.name);
+        let place = set::place_of(root, &entry.path);
+        match once.iter_mut().find(|(other, _)| *other == place) {
+            Some((_, first)) if fixed.is_argument(first.span) || !fixed.is_argument(entry.span) => {
+                let message = match first.name == entry.name {
+                    true => format!("a second `{}`: a key varies once", entry.name),
+                    false => format!(
+                        "`{}` is `{}`, which varies already: a key varies once",
+                        entry.name, first.name
+                    ),
+                };
                 faults.push(Fault::error(entry.span, message));
             }
-            Some(first) => *first = entry,
-            None => once.push(entry),
+            Some((_, first)) => *first = entry,
+            None => once.push((place, entry)),
         }
     }
-    *keys = once;
+    keys.extend(once.into_iter().map(|(_, entry)| entry));
 }
 
 /// Whether a key varies: its path leads somewhere, and no argument fixes it.
@@ -246,7 +251,8 @@ fn seeds_are_fixed(root: &Node, seeds: &Node, fixed: Fixed, faults: &mut Vec<Fau
 
 /// The seeds that stand behind `seeds`; `first` is the scenario's own.
 pub(super) fn seeds(node: &Node, first: i64, faults: &mut Vec<Fault>) -> Vec<i64> {
-    const HELP: &str = "for example: seeds = 10, or seeds = [1, 5, 9]";
+    const HELP: &str =
+        "for example: seeds = 10, or seeds = [1, 5, 9]; --seeds 10, --seeds 1..20, --seeds 1,5,9";
     if let Value::Integer(count) = node.value {
         return match usize::try_from(count) {
             Ok(count @ 1..=RUNS_MAX) => {
@@ -261,7 +267,16 @@ pub(super) fn seeds(node: &Node, first: i64, faults: &mut Vec<Fault>) -> Vec<i64
     }
     let mut seeds: Vec<i64> = Vec::new();
     let mut seen = std::collections::BTreeSet::new();
-    for value in super::values::values(SEEDS, node, faults) {
+    let values = match &node.value {
+        Value::Array(items) if !items.is_empty() => items.clone(),
+        Value::Array(_) | Value::Table(_) => super::values::values(SEEDS, node, faults),
+        other => {
+            let message = format!("{} where seeds are wanted", other.kind());
+            faults.push(Fault::error(node.span, message).help(HELP));
+            return Vec::new();
+        }
+    };
+    for value in values {
         match value.value {
             Value::Integer(seed) if seen.insert(seed) => seeds.push(seed),
             Value::Integer(seed) => {

@@ -2,6 +2,7 @@
 
 use simbeeotic_model::config::{Fault, Node, Span, Table, Value};
 use simbeeotic_model::kernel::Stream;
+use std::collections::BTreeSet;
 
 use super::RUNS_MAX;
 
@@ -22,9 +23,13 @@ pub(super) fn values(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Vec<No
                 .push(Fault::error(node.span, "this list is empty: nothing would run").help(HELP));
             return Vec::new();
         }
-        Value::Array(items) => Ok(items.clone()),
-        Value::Table(table) if table.get("uniform").is_some() => uniform(name, node.span, table),
-        Value::Table(table) if table.get("normal").is_some() => normal(name, node.span, table),
+        Value::Array(items) => each_once(items),
+        Value::Table(table) if table.get("uniform").is_some() => {
+            uniform(name, node.span, table).map(|nodes| drawn(node.span, nodes, faults))
+        }
+        Value::Table(table) if table.get("normal").is_some() => {
+            normal(name, node.span, table).map(|nodes| drawn(node.span, nodes, faults))
+        }
         Value::Table(table) => range(node.span, table),
         other => {
             let message = format!("{} where the values of a sweep are wanted", other.kind());
@@ -35,6 +40,61 @@ pub(super) fn values(name: &str, node: &Node, faults: &mut Vec<Fault>) -> Vec<No
         faults.extend(found);
         Vec::new()
     })
+}
+
+/// The values of a list. One that stands there twice is an error: its runs would be the same, and count twice.
+fn each_once(items: &[Node]) -> Result<Vec<Node>, Vec<Fault>> {
+    let mut seen = BTreeSet::new();
+    let twice = items.iter().filter(|node| !seen.insert(said(node)));
+    let faults: Vec<Fault> = twice
+        .map(|node| {
+            let message = format!(
+                "{} stands here twice: both runs would be the same",
+                super::written(node)
+            );
+            Fault::error(node.span, message)
+        })
+        .collect();
+    match faults.is_empty() {
+        true => Ok(items.to_vec()),
+        false => Err(faults),
+    }
+}
+
+/// Keeps the first of what says the same, in a list whose placeholders were replaced.
+pub(super) fn keep_once(node: &mut Node) {
+    if let Value::Array(items) = &mut node.value {
+        let mut seen = BTreeSet::new();
+        items.retain(|node| seen.insert(said(node)));
+    }
+}
+
+/// What a value says: `10 m` is `10.0 m`.
+pub(crate) fn said(node: &Node) -> String {
+    match Number::read(node) {
+        Ok(number) => format!("{:?} {}", number.value + 0.0, number.unit),
+        Err(_) => super::written(node),
+    }
+}
+
+/// Drawn values, each once; a note if one was drawn twice.
+fn drawn(span: Span, nodes: Vec<Node>, faults: &mut Vec<Fault>) -> Vec<Node> {
+    let mut seen = BTreeSet::new();
+    let (mut once, mut draws) = (Vec::new(), 0);
+    for node in nodes {
+        draws += 1;
+        if seen.insert(said(&node)) {
+            once.push(node);
+        }
+    }
+    if once.len() < draws {
+        let message = format!(
+            "of these {draws} draws {} are different, and each runs once",
+            once.len()
+        );
+        faults.push(Fault::note(span, message));
+    }
+    once
 }
 
 /// A number, and the unit that stands behind it.
@@ -329,9 +389,9 @@ mod tests {
         let node = crate::toml::parse_value(text, SourceId(0)).expect("a value");
         let mut faults = Vec::new();
         let values = values("key", &node, &mut faults);
-        match faults.is_empty() {
-            true => Ok(values.iter().map(super::super::written).collect()),
-            false => Err(faults),
+        match faults.iter().any(Fault::is_error) {
+            false => Ok(values.iter().map(super::super::written).collect()),
+            true => Err(faults),
         }
     }
 
@@ -373,11 +433,9 @@ mod tests {
         assert_ne!(drawn, other.expect("draws"));
         let longer = read("{ uniform = [\"1 m\", \"3 m\"], draws = 201 }").expect("draws");
         assert_eq!(drawn, longer[..200], "more draws leave the first ones");
-        let whole = read("{ uniform = [1, 3], draws = 50 }").expect("draws");
-        for value in ["1", "2", "3"] {
-            assert!(whole.iter().any(|w| w == value), "{whole:?}");
-        }
-        assert!(whole.iter().all(|w| matches!(w.as_str(), "1" | "2" | "3")));
+        let mut whole = read("{ uniform = [1, 3], draws = 50 }").expect("draws");
+        whole.sort();
+        assert_eq!(whole, ["1", "2", "3"], "each runs once");
     }
 
     #[test]
@@ -395,6 +453,11 @@ mod tests {
     fn what_leads_nowhere_is_refused_where_it_stands() {
         for (text, word) in [
             ("[]", "this list is empty"),
+            ("[2, 5, 2]", "2 stands here twice"),
+            ("[2, 5, 2.0]", "2.0 stands here twice"),
+            ("[\"10 m\", \"10.0 m\"]", "10.0 m stands here twice"),
+            ("[\"a.toml\", \"a.toml\"]", "a.toml stands here twice"),
+            ("[[1, 2], [1, 2]]", "[1, 2] stands here twice"),
             ("5", "a whole number where the values of a sweep are wanted"),
             (
                 "{ from = 1, to = 5, step = 0 }",

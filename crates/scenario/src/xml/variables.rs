@@ -8,11 +8,12 @@
 use super::java::JavaRandom;
 use super::read::{number, whole};
 use super::tree::{Element, Text};
-use crate::sweep::RUNS_MAX;
+use crate::sweep::{RUNS_MAX, said};
 use crate::variables::{
     KEY as VARIABLES, NAME_HELP, Variables as Given, is_name, placeholder, typed,
 };
 use simbeeotic_model::config::{Fault, Key, Node, Span, Table, Value};
+use std::collections::BTreeSet;
 
 /// Draws that a random variable skips at most.
 const DRAWS_MAX: i64 = 1_000_000;
@@ -461,8 +462,18 @@ impl Definition<'_> {
         if count == 0 {
             return self.error(self.span("num-draws"), "no value of this list counts");
         }
-        let values = &values[first..first + count];
-        Some(values.iter().map(|value| self.resolved(value)).collect())
+        let mut once: Vec<String> = Vec::new();
+        let mut seen = BTreeSet::new();
+        for text in &values[first..first + count] {
+            let value = self.resolved(text);
+            if seen.insert(said(&Node::new(text.span, plain(&value)))) {
+                once.push(value);
+            } else {
+                let message = format!("{value} stands here twice, and runs once");
+                self.faults.push(Fault::warning(text.span, message));
+            }
+        }
+        Some(once)
     }
 
     fn uniform(&mut self, stream: usize) -> Option<Vec<String>> {
@@ -649,6 +660,18 @@ mod tests {
         let (_, sweep) = all.sweep();
         let sweep = Node::new(Span::default(), Value::Table(sweep.expect("varies")));
         assert!(crate::print::to_toml(&sweep).contains("\"variables.e\" = [6, 7]"));
+    }
+
+    #[test]
+    fn a_value_that_stands_in_a_list_twice_runs_once_and_says_so() {
+        let (all, faults) = variables(
+            r#"<variable name="e"><each><value>5</value><value>6</value><value>5.0f</value></each></variable>"#,
+        );
+        let (_, sweep) = all.sweep();
+        let sweep = Node::new(Span::default(), Value::Table(sweep.expect("varies")));
+        assert!(crate::print::to_toml(&sweep).contains("\"variables.e\" = [5, 6]"));
+        assert_eq!(faults.len(), 1, "{faults:?}");
+        assert!(faults[0].message.contains("5.0f stands here twice"));
     }
 
     #[test]

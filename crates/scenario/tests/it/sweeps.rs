@@ -82,16 +82,82 @@ fn all_combinations_run_the_last_key_first_and_the_seeds_last() {
 }
 
 #[test]
-fn the_first_combination_is_what_runs_alone() {
-    let text = with("[sweep]\nseeds = 3\n[sweep.vary]\nmodel.bee.count = [5, 6]");
+fn alone_a_scenario_is_what_stands_in_it() {
+    let text =
+        with("[sweep]\nseeds = 3\n[sweep.vary]\nmodel.bee.count = [5, 6]\nvariables.far = [1, 2]");
     let loaded = good("bees.toml", &text);
-    assert_eq!(loaded.setup().expect("a set-up").models.len(), 5);
-    assert_eq!(loaded.plan().run.seed, 4);
+    let setup = loaded.setup().expect("a set-up");
+    assert_eq!((setup.models.len(), loaded.plan().run.seed), (3, 4));
+    let start = setup.models[0].start.position.si().to_array();
+    assert_eq!(start, [10.0, 10.0, 1.0]);
+    assert!(!loaded.is_first_of_sweep());
+    assert!(!loaded.toml().contains("sweep"), "{}", loaded.toml());
     let seeds = loaded.sweep().and_then(|sweep| sweep.seeds());
     assert_eq!(
         seeds,
         Some([4, 5, 6].as_slice()),
         "the scenario's own and what follows"
+    );
+}
+
+#[test]
+fn a_scenario_that_lacks_a_value_of_its_sweep_is_the_first_of_its_runs() {
+    let text = with("[sweep.vary]\n\"run.end_time\" = [\"7 s\", \"8 s\"]");
+    let text = text.replace("end_time = \"1 s\"\n", "");
+    let loaded = good("bees.toml", &text);
+    assert!(loaded.is_first_of_sweep());
+    assert!(
+        loaded.toml().contains("end_time = \"7 s\""),
+        "{}",
+        loaded.toml()
+    );
+    let same = with("[sweep.vary]\nmodel.bee.count = [3, 9]");
+    assert!(good("bees.toml", &same).is_first_of_sweep());
+    // Of what is wrong without the sweep and with it, both are told.
+    let wrong = text.replace("[\"7 s\", \"8 s\"]", "[\"7 m\", \"8 kg\"]");
+    let said = bad("bees.toml", &wrong);
+    assert_eq!(said.matches("error: unknown unit").count(), 2, "{said}");
+}
+
+#[test]
+fn what_says_the_same_runs_once() {
+    let text = said("[sweep.vary]\nmodel.bee.count = [2, 5, 2]");
+    assert!(text.contains("2 stands here twice"), "{text}");
+    let of = |sweep: &str| runs(&loaded(sweep, &[])).len();
+    assert_eq!(
+        of("[sweep.vary]\nmodel.bee.count = { uniform = [1, 3], draws = 40 }"),
+        3
+    );
+    // 5 and 6; 6 alone, since the placeholder says the same.
+    assert_eq!(
+        of("[sweep.vary]\nvariables.far = [5, 6]\nmodel.bee.count = [\"${far}\", 6]"),
+        3
+    );
+}
+
+#[test]
+fn two_names_of_one_value_are_one_key() {
+    let text = said("[sweep.vary]\nmodel.bee.count = [1]\n\"model.0.count\" = [2]");
+    assert!(
+        text.contains("`model.0.count` is `model.bee.count`, which varies already"),
+        "{text}"
+    );
+    let swept = "[sweep.vary]\nmodel.bee.count = [1, 2]";
+    let replaced = loaded(swept, &["--vary model.0.count=7,8"]);
+    assert_eq!(runs(&replaced), ["4 7", "4 8"]);
+}
+
+#[test]
+fn a_table_is_put_in_before_what_varies_in_it() {
+    let loaded = loaded(
+        "[sweep.vary]\n\"run.end_time\" = [\"7 s\"]\nrun = [{ end_time = \"1 s\", seed = 9 }]",
+        &[],
+    );
+    let sweep = loaded.sweep().expect("a sweep");
+    let toml = sweep.load(0).unwrap_or_else(|_| panic!("good")).toml();
+    assert!(
+        toml.contains("end_time = \"7 s\"") && toml.contains("seed = 9"),
+        "{toml}"
     );
 }
 
@@ -136,6 +202,44 @@ fn the_command_line_adds_replaces_and_fixes() {
 }
 
 #[test]
+fn what_is_wrong_with_an_argument_is_shown_as_it_was_typed() {
+    for (arguments, words) in [
+        (
+            ["--seeds 3..4", "--seed 9"],
+            ["1 | --seed 9", "seeds of all runs are listed too"],
+        ),
+        (
+            ["--seeds ", "run.end_time=1 s"],
+            ["1 | --seeds ", "there is no value here"],
+        ),
+        (
+            ["--seeds a", "run.end_time=1 s"],
+            ["1 | --seeds a", "--seeds 1..20"],
+        ),
+        (
+            ["--seeds 1..5 stepp 1", "run.end_time=1 s"],
+            ["in `stepp 1`", "units must be the same"],
+        ),
+        (
+            ["--seeds 2", "--end-time 5 m"],
+            ["1 | --end-time 5 m", "unknown unit"],
+        ),
+    ] {
+        let request = Request {
+            sets: arguments.map(str::to_owned).to_vec(),
+            ..Request::default()
+        };
+        let Err(rejected) = load_text("bees.toml", &with(""), &request) else {
+            panic!("{arguments:?} are wrong");
+        };
+        let text = render::faults(&rejected.faults, &rejected.sources, false);
+        for word in words {
+            assert!(text.contains(word), "{word}: {text}");
+        }
+    }
+}
+
+#[test]
 fn a_scenario_with_a_sweep_prints_as_it_was_written() {
     let sweep = "[sweep]\nseeds = 3\n\n[sweep.vary]\n\"model.bee.count\" = [5, 6]\n";
     let text = with(sweep);
@@ -167,13 +271,10 @@ fn every_value_of_a_key_is_checked_not_only_the_first() {
         .check()
         .expect_err("three are wrong");
     insta::assert_snapshot!(render::faults(&rejected.faults, &rejected.sources, false));
-    let first = text.replace("[3, -2", "[-3, -2");
-    let said = said(&first);
-    assert_eq!(
-        said.matches("error: ").count(),
-        4,
-        "with the first one: {said}"
-    );
+    // The first value is one of them; the scenario as it stands is fine.
+    let loaded = good("bees.toml", &with(&text.replace("[3, -2", "[-3, -2")));
+    let all = loaded.sweep().expect("a sweep").check();
+    assert_eq!(all.expect_err("four are wrong").faults.len(), 4);
 }
 
 #[test]
@@ -272,6 +373,7 @@ fn the_original_looping_scenario_has_ninety_variations() {
     let loaded = good("looping.xml", LOOPING);
     let sweep = loaded.sweep().expect("a sweep");
     assert_eq!(sweep.len(), 90, "3 x 10 x 1 x 3");
+    assert!(loaded.is_first_of_sweep(), "it has no other values");
     assert!(sweep.check().is_ok());
     let last = sweep.load(89).unwrap_or_else(|_| panic!("good"));
     let toml = last.toml();

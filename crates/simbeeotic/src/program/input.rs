@@ -4,7 +4,7 @@ use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
 use crate::library;
 use simbeeotic_model::{Setup, SetupError};
-use simbeeotic_scenario::{Checked, Loaded, Rejected, Request, check_file, load_file, render};
+use simbeeotic_scenario::{Checked, Loaded, Rejected, Request, check_file, load_file, render, set};
 use simbeeotic_units::Time;
 
 /// Reads and checks a scenario; shows warnings and notes unless `quiet`.
@@ -37,10 +37,10 @@ pub(super) fn check(options: &ScenarioOptions) -> Result<Checked, Failure> {
 fn request(options: &ScenarioOptions) -> Request {
     let mut sets = options.sets.clone();
     if let Some(seed) = options.seed {
-        sets.push(format!("run.seed={seed}"));
+        sets.push(format!("{}{seed}", set::SEED));
     }
     if let Some(end) = &options.end_time {
-        sets.push(format!("run.end_time={end}"));
+        sets.push(format!("{}{end}", set::END_TIME));
     }
     Request {
         world: options.world.clone(),
