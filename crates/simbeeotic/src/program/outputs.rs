@@ -84,7 +84,15 @@ pub(super) fn check_runs(
             return Err(refused("--record", &path, "no recording"));
         }
     }
-    Ok(())
+    // Whoever draws all recordings of the folder would draw those of two sweeps.
+    match super::sweep::beyond(folder, runs) {
+        Some(path) => Err(Failure::input(format!(
+            "--record {}: {} is of a longer sweep: remove what is in this folder, or choose another",
+            folder.display(),
+            path.display()
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// The files that are recorded into, and who says so.

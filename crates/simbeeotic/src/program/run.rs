@@ -26,7 +26,11 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
     let table = table.transpose()?;
     let loaded = input::load(&options.scenario, options.quiet)?;
     if let Some(sweep) = loaded.sweep().filter(|_| !options.quiet) {
-        remark(sweep::first_of(sweep, &options.scenario.scenario));
+        let file = &options.scenario.scenario;
+        remark(match loaded.is_first_of_sweep() {
+            true => sweep::first_of(sweep, file),
+            false => sweep::beside(sweep, file),
+        });
     }
     let mut setup = input::setup(&loaded)?;
     if let Some(threads) = options.threads {

@@ -91,11 +91,6 @@ impl Steps {
     pub(super) fn at(&self, done: u64) {
         self.0.set_position(done);
     }
-
-    /// Does something that prints, with the bar out of the way.
-    pub(super) fn aside(&self, act: impl FnOnce()) {
-        self.0.suspend(act);
-    }
 }
 
 impl Drop for Steps {
@@ -105,7 +100,7 @@ impl Drop for Steps {
 }
 
 /// Seconds as people say them.
-fn span(seconds: f64) -> String {
+pub(super) fn span(seconds: f64) -> String {
     match seconds {
         s if !s.is_finite() || s > 359_999.0 => "?".to_owned(),
         s if s < 60.0 => format!("{s:.0} s"),

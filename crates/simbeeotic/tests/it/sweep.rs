@@ -199,12 +199,36 @@ fn only_a_table_of_runs_is_written_over() {
 }
 
 #[test]
-fn run_takes_the_first_combination_and_says_so_and_check_looks_at_all() {
+fn run_flies_what_stands_in_the_scenario_and_says_that_there_are_more() {
     let program = program();
     let call = good(program.call(&["run", "bees.toml", "--no-record"]));
-    let line = "the first of 8 runs (seed 4, model.bee.count = 2, model.bee.params.heading_sigma = 0.1 rad); \
-                all of them: simbeeotic sweep bees.toml";
+    let line = "this scenario has a [sweep] of 8 runs, and flies here as it stands; all of them: simbeeotic sweep \
+                bees.toml";
     assert!(call.err.lines().any(|l| l == line), "{}", call.err);
+    // Three bees, and not two as in the first of the runs.
+    let plain = &BEES[..BEES.find("[sweep]").expect("it has one")];
+    program.write("plain.toml", plain);
+    let plain = program.trace(&["plain.toml"]);
+    assert_eq!(program.trace(&["bees.toml"]), plain);
+    assert_ne!(
+        program.trace(&["bees.toml", "--set", "model.bee.count=2"]),
+        plain
+    );
+    // What stands nowhere else comes from the first run.
+    let lacking = BEES.replace("end_time = \"2 s\"\n", "").replace(
+        "[sweep.vary]",
+        "[sweep.vary]\n\"run.end_time\" = [\"1 s\", \"2 s\"]",
+    );
+    program.write("lacking.toml", &lacking);
+    let call = good(program.call(&["run", "lacking.toml", "--no-record"]));
+    let line = "the first of 16 runs (seed 4, run.end_time = 1 s, model.bee.count = 2, \
+                model.bee.params.heading_sigma = 0.1 rad); all of them: simbeeotic sweep lacking.toml";
+    assert!(call.err.lines().any(|l| l == line), "{}", call.err);
+}
+
+#[test]
+fn check_looks_at_all_values_of_a_sweep() {
+    let program = program();
     let call = good(program.call(&["check", "bees.toml"]));
     let said = "8 runs in its sweep (4 combinations, 2 seeds)";
     assert!(call.out.contains(said), "{}", call.out);
@@ -268,43 +292,182 @@ fn a_table_that_could_not_be_written_in_the_end_is_not_lost() {
     );
 }
 
+/// Starts a sweep, and sends Ctrl-C when so many rows are beside its table; no machine is so slow that it does not
+/// come to that.
+#[cfg(unix)]
+fn interrupted(program: &Program, arguments: &[&str], rows: usize) -> Call {
+    use std::process::Stdio;
+    use std::time::Duration;
+
+    let mut command = program.command();
+    command.args(arguments).stdout(Stdio::piped());
+    let child = command.stderr(Stdio::piped()).spawn().expect("it starts");
+    let unfinished = program.path("bees-runs.csv.unfinished");
+    for _ in 0..6000 {
+        let text = std::fs::read_to_string(&unfinished).unwrap_or_default();
+        if text.lines().count() > rows {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let id = child.id().to_string();
+    let kill = std::process::Command::new("kill")
+        .args(["-INT", &id])
+        .status();
+    assert!(kill.expect("kill is there").success());
+    Call::from(child.wait_with_output().expect("it ends"))
+}
+
+/// Two runs of each seed end at once, the other two take for ever.
+#[cfg(unix)]
+fn endless() -> String {
+    BEES.replace(
+        "[sweep.vary]",
+        "[sweep.vary]\n\"run.end_time\" = [\"1 s\", \"10000 h\"]",
+    )
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupt_keeps_what_is_done() {
     let program = Program::new();
-    // The first run is over at once; the second would take for ever.
-    program.write(
+    program.write("bees.toml", &endless());
+    let sweep = [
+        "sweep",
         "bees.toml",
-        &BEES.replace(
-            "[sweep.vary]",
-            "[sweep.vary]\n\"run.end_time\" = [\"1 s\", \"10000 h\"]",
-        ),
-    );
-    let mut command = program.command();
-    command.args(["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"]);
-    command.args(["--vary", "model.bee.count=2"]);
-    let piped = std::process::Stdio::piped;
-    let child = command
-        .stdout(piped())
-        .stderr(piped())
-        .spawn()
-        .expect("it starts");
-    std::thread::sleep(std::time::Duration::from_secs(2));
-    let id = child.id().to_string();
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
-    assert!(sent.expect("kill is there").success());
-    let call = Call::from(child.wait_with_output().expect("it ends"));
+        "--jobs",
+        "2",
+        "--seeds",
+        "1",
+        "--vary",
+        "model.bee.count=2",
+        "--record",
+        "runs",
+    ];
+    let call = interrupted(&program, &sweep, 2);
     assert_eq!(call.code, Some(130), "{}", call.err);
-    assert!(
-        call.err.contains("interrupted: 2 of 4 runs are done"),
-        "{}",
-        call.err
-    );
+    let line = "interrupted: 2 of 4 runs are done; the same command with --resume goes on";
+    assert!(call.err.lines().any(|l| l == line), "{}", call.err);
     let rows = table(&program, "bees-runs.csv");
     assert_eq!(rows.len(), 3);
     assert_eq!((rows[1][0].as_str(), rows[2][0].as_str()), ("1", "2"));
+    for run in 1..=4 {
+        let path = program.path(&format!("runs/run-000{run}.mcap"));
+        assert_eq!(path.exists(), run <= 2, "{run}: no row, no recording");
+    }
+    // Rows that took their time are not thrown away by a command that forgets them.
+    let call = program.call(&sweep);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(
+        call.err
+            .contains("bees-runs.csv.unfinished has 2 runs of a sweep that was broken off"),
+        "{}",
+        call.err
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sweep_that_was_broken_off_goes_on_to_the_same_table() {
+    let program = Program::new();
+    program.write("bees.toml", &endless());
+    let sweep = |more: &[&str]| {
+        let all = [
+            "sweep",
+            "bees.toml",
+            "--jobs",
+            "2",
+            "--vary",
+            "run.end_time=1 s,2 s",
+        ];
+        good(program.call(&[&all, more].concat()))
+    };
+    sweep(&["-o", "whole.csv", "-q"]);
+    let whole = std::fs::read(program.path("whole.csv")).expect("a table");
+    // The first four runs of either seed end, then both workers are held.
+    let first = ["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"];
+    let call = interrupted(&program, &first, 4);
+    assert_eq!(call.code, Some(130), "{}", call.err);
+    // As a crash leaves it: the last row is cut off.
+    let path = program.path("bees-runs.csv.unfinished");
+    let rows = std::fs::read(&path).expect("rows");
+    std::fs::write(&path, &rows[..rows.len() - 20]).expect("written");
+    let call = sweep(&["--resume"]);
+    assert!(
+        call.err.lines().any(|l| l == "3 of 16 runs are done"),
+        "{}",
+        call.err
+    );
+    let resumed = std::fs::read(program.path("bees-runs.csv")).expect("a table");
+    assert!(resumed == whole, "the same bytes");
+    assert!(!path.exists(), "it is whole");
+    let call = sweep(&["--resume", "--dry-run"]);
+    assert!(call.err.contains("16 runs in its sweep"), "{}", call.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sweep_does_not_go_on_with_rows_of_another_scenario() {
+    let program = Program::new();
+    program.write("bees.toml", &endless());
+    let sweep = ["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"];
+    let call = interrupted(&program, &sweep, 4);
+    assert_eq!(call.code, Some(130), "{}", call.err);
+    let resume = |more: &[&str]| {
+        let arguments = [
+            sweep.as_slice(),
+            &["--vary", "run.end_time=1 s", "--resume"],
+            more,
+        ]
+        .concat();
+        program.call(&arguments)
+    };
+    program.write("bees.toml", &endless().replace("4 m", "5 m"));
+    let call = resume(&[]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    let said = "--resume: the scenario has changed, so the 4 runs in bees-runs.csv.unfinished may be others now";
+    assert!(call.err.contains(said), "{}", call.err);
+    program.write("bees.toml", &endless());
+    let call = resume(&["--vary", "model.0.name=bee"]);
+    assert!(
+        call.err.contains("--resume: what varied was"),
+        "{}",
+        call.err
+    );
+    let call = resume(&["--restart"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    // Without the runs that had no end all are there.
+    let call = good(resume(&[]));
+    assert!(call.err.contains("4 of 4 runs are done"), "{}", call.err);
+    assert_eq!(table(&program, "bees-runs.csv").len(), 5);
+    program.write("bees-runs.csv.unfinished", "my own\n");
+    let call = program.call(&["sweep", "bees.toml", "--resume"]);
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(call.err.contains("it is something else"), "{}", call.err);
+}
+
+#[test]
+fn recordings_of_a_longer_sweep_are_not_mixed_with_those_of_this_one() {
+    let program = program();
+    let sweep = |seeds| {
+        let seeds = ["--seeds", seeds];
+        program.call(
+            &[
+                ["sweep", "bees.toml", "-q", "--record", "runs"].as_slice(),
+                &seeds,
+            ]
+            .concat(),
+        )
+    };
+    good(sweep("2"));
+    let call = sweep("1");
+    assert_eq!(call.code, Some(2), "{}", call.err);
+    assert!(
+        call.err.contains("run-0005.mcap is of a longer sweep"),
+        "{}",
+        call.err
+    );
+    good(sweep("2"));
 }
 
 #[test]

@@ -4,20 +4,27 @@
 //! together from the scenario as it would be alone, so its trace is that of `run` with the same values;
 //! neither the other runs nor the number of jobs show in it.
 //!
-//! Reading order: `runs` (running them), `rows` (what a run comes to, as a row), `report` (means over seeds).
+//! Reading order: `runs` (running them), `rows` (what a run comes to, as a row), `unfinished` (rows as they come,
+//! and going on), `report` (means over seeds), `paired` (differences
+//! to a baseline), `bar` (how far it is).
 
+mod bar;
+mod paired;
 mod report;
 mod rows;
 mod runs;
+mod unfinished;
 
 use super::arguments::ScenarioOptions;
 use super::outputs;
 use super::table::TableFile;
 use super::{Failure, input, remark, say};
 use clap::Args;
+use paired::Baseline;
 use rows::Rows;
 use simbeeotic_scenario::{Sweep, set};
 use std::path::{Path, PathBuf};
+use unfinished::Unfinished;
 
 pub(super) const SWEEP_EXAMPLES: &str = "\
 Examples:
@@ -25,11 +32,14 @@ Examples:
   simbeeotic sweep scenarios/first-swarm.toml --seeds 1..5 --vary \"model.bee.count=50,100,200\"
   simbeeotic sweep scenarios/broadcast.toml --vary \"channel.range_limit=10 m..50 m step 10 m\" -o range.csv
   simbeeotic sweep scenarios/first-swarm.toml --seeds 3 --record runs --dry-run
+  simbeeotic sweep scenarios/first-swarm.toml --seeds 200 --resume
+  simbeeotic sweep scenarios/first-swarm.toml --seeds 10 --vary model.bee.count=50,100 --baseline count=50
   simbeeotic plot sweep first-swarm-runs.csv --x model.bee.count --metric contacts -o contacts.svg
 
 The table has one row a run: run, seed, the values that vary, trace_hash, ended, error, virtual_s,
 contacts, packets/sent, packets/received, energy/spent, and for each number that models publish NAME
-(the sum of their last values) and NAME/mean, with [units].";
+(the sum of their last values) and NAME/mean, with [units]. Until it is whole, rows are in
+TABLE.unfinished as soon as their runs are done; after Ctrl-C or a crash --resume flies only the others.";
 
 /// Letters of a scenario's name that name its table, at most.
 const NAME_LETTERS: usize = 60;
@@ -61,7 +71,19 @@ pub(super) struct SweepOptions {
     /// the first of all]
     #[arg(long, value_name = "NAME")]
     metric: Vec<String>,
-    /// List the runs, and do nothing
+    /// Print differences to the runs that have this value, pair by pair of equal seeds, with their 95 % interval: a
+    /// key that varies, or the end of it, and one of its values
+    #[arg(long, value_name = "KEY=VALUE")]
+    baseline: Option<String>,
+    /// Go on with a sweep that was broken off: runs whose rows are there are not flown again. The program and
+    /// the scenario must be the same; seeds and values may be more
+    #[arg(long, conflicts_with = "restart")]
+    resume: bool,
+    /// Fly all runs, although there are rows of a sweep that was broken off
+    #[arg(long)]
+    restart: bool,
+    /// List the runs, and say how long they may take, judged by a second of the first and one of the last;
+    /// nothing is written
     #[arg(long)]
     dry_run: bool,
     /// No progress bar, no table of means: errors only
@@ -91,8 +113,16 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
     sweep
         .check()
         .map_err(|rejected| Failure::input(input::text_of(&rejected)))?;
+    let baseline = options.baseline.as_deref();
+    let baseline = baseline
+        .map(|text| Baseline::read(sweep, text))
+        .transpose()?;
     if options.dry_run {
-        return say(report::listed(sweep).trim_end());
+        say(report::listed(sweep).trim_end())?;
+        if !options.quiet {
+            remark(planned(sweep, options));
+        }
+        return Ok(());
     }
     outputs::check_runs(
         &options.scenario,
@@ -100,11 +130,15 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
         options.record.as_deref(),
         sweep.len(),
     )?;
+    let (mut unfinished, before) = Unfinished::open(sweep, &file.path, options)?;
+    if !before.is_empty() && !options.quiet {
+        remark(format!("{} of {} runs are done", before.len(), sweep.len()));
+    }
     if let Some(folder) = &options.record {
         std::fs::create_dir_all(folder)
             .map_err(|e| Failure::run(format!("--record {}: {e}", folder.display())))?;
     }
-    let done = runs::run(sweep, options)?;
+    let done = runs::run(sweep, options, before, &mut unfinished)?;
     let rows = Rows::of(sweep, done.rows);
     if done.interrupted && rows.len() == 0 {
         // What an earlier sweep wrote is worth more than a line of names.
@@ -114,9 +148,31 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
     // A reader that has gone away must not cost the table.
     let printed = match options.quiet {
         true => Ok(()),
-        false => say(report::means(sweep, &rows, &options.metric).trim_end()),
+        false => {
+            let names = report::columns(&rows, &options.metric);
+            let mut text = report::means(sweep, &rows, &names);
+            if let Some(baseline) = &baseline {
+                text.push('\n');
+                text.push_str(&paired::differences(&rows, &names, baseline));
+            }
+            say(text.trim_end())
+        }
     };
     file.write_or_keep(&rows.columns())?;
+    let go_on = match done.interrupted && unfinished.is_kept() {
+        true => "; the same command with --resume goes on",
+        false => "",
+    };
+    if done.interrupted {
+        // Those of an earlier sweep would be taken for this one's.
+        if let Some(folder) = &options.record {
+            for run in (0..sweep.len()).filter(|run| !rows.has(*run)) {
+                let _ = std::fs::remove_file(recording(folder, run));
+            }
+        }
+    } else {
+        unfinished.finish();
+    }
     printed?;
     if !options.quiet {
         remark(format!("wrote {}", file.path.display()));
@@ -124,7 +180,7 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
     match (done.interrupted, rows.failed()) {
         (true, _) => {
             remark(format!(
-                "interrupted: {} of {} runs are done",
+                "interrupted: {} of {} runs are done{go_on}",
                 rows.len(),
                 sweep.len()
             ));
@@ -175,12 +231,41 @@ pub(super) fn recording(folder: &Path, run: usize) -> PathBuf {
     folder.join(format!("run-{:04}.mcap", run + 1))
 }
 
+/// The first recording in a folder of a run that so many do not have.
+pub(super) fn beyond(folder: &Path, runs: usize) -> Option<PathBuf> {
+    let is_beyond = |path: &PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str());
+        let number = name.and_then(|name| name.strip_prefix("run-")?.strip_suffix(".mcap"));
+        number.is_some_and(|n| n.parse::<usize>().is_ok_and(|n| n > runs))
+    };
+    let entries = std::fs::read_dir(folder).ok()?;
+    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    paths.filter(is_beyond).min()
+}
+
+/// So many runs.
+fn runs_said(count: usize) -> String {
+    match count {
+        1 => "1 run".to_owned(),
+        count => format!("{count} runs"),
+    }
+}
+
+/// How many runs there are, and how long they may take.
+fn planned(sweep: &Sweep, options: &SweepOptions) -> String {
+    match runs::estimate_s(sweep, options, sweep.len()) {
+        Some(wall_s) => format!(
+            "{}: about {} in all, judged by a second of the first and one of the last",
+            counted(sweep),
+            super::show::span(wall_s)
+        ),
+        None => counted(sweep),
+    }
+}
+
 /// How many runs there are, for a sentence.
 pub(super) fn counted(sweep: &Sweep) -> String {
-    let runs = |n: usize| match n {
-        1 => "1 run".to_owned(),
-        n => format!("{n} runs"),
-    };
+    let runs = runs_said;
     let combinations = match sweep.combinations() {
         1 => "1 combination".to_owned(),
         n => format!("{n} combinations"),
@@ -194,11 +279,20 @@ pub(super) fn counted(sweep: &Sweep) -> String {
     }
 }
 
+/// That there are more runs than this one, in one line.
+pub(super) fn beside(sweep: &Sweep, scenario: &Path) -> String {
+    format!(
+        "this scenario has a [sweep] of {}, and flies here as it stands; all of them: simbeeotic sweep {}",
+        runs_said(sweep.len()),
+        scenario.display()
+    )
+}
+
 /// That this run is the first of many, in one line.
 pub(super) fn first_of(sweep: &Sweep, scenario: &Path) -> String {
     format!(
-        "the first of {} runs{}; all of them: simbeeotic sweep {}",
-        sweep.len(),
+        "the first of {}{}; all of them: simbeeotic sweep {}",
+        runs_said(sweep.len()),
         said(sweep, 0),
         scenario.display()
     )

@@ -29,39 +29,59 @@ pub(super) fn listed(sweep: &Sweep) -> String {
     aligned(&lines)
 }
 
-/// Mean and 95 % interval of each number over the runs of a combination.
-pub(super) fn means(sweep: &Sweep, rows: &Rows, wanted: &[String]) -> String {
-    let names = match wanted {
+/// The numbers that are printed: those that were asked for, else those that say something.
+pub(super) fn columns(rows: &Rows, wanted: &[String]) -> Vec<String> {
+    match wanted {
         [] => shown(rows),
         wanted => asked_for(rows, wanted),
-    };
-    let mut groups: Vec<(&[String], Vec<Vec<f64>>)> = Vec::new();
+    }
+}
+
+/// Mean and 95 % interval of each number over the runs of a combination.
+pub(super) fn means(sweep: &Sweep, rows: &Rows, names: &[String]) -> String {
+    let mut groups: Vec<Group<'_>> = Vec::new();
     for (values, row) in rows.good() {
         let at = match groups
             .iter()
-            .position(|(other, _)| *other == values.as_slice())
+            .position(|group| group.values == values.as_slice())
         {
             Some(at) => at,
             None => {
-                groups.push((values, vec![Vec::new(); names.len()]));
+                groups.push(Group {
+                    values,
+                    runs: 0,
+                    numbers: vec![Vec::new(); names.len()],
+                });
                 groups.len() - 1
             }
         };
-        for (name, numbers) in names.iter().zip(&mut groups[at].1) {
-            numbers.extend(row.number(name));
+        groups[at].runs += 1;
+        for (name, numbers) in names.iter().zip(&mut groups[at].numbers) {
+            numbers.extend(row.number(name).filter(|number| number.is_finite()));
         }
     }
     let keys = rows.keys().iter().cloned();
     let head = keys.chain(["runs".to_owned()]).chain(names.iter().cloned());
     let mut lines = vec![head.collect::<Vec<_>>()];
-    for (values, numbers) in groups.iter_mut().take(LINES_MAX) {
-        let runs = numbers.iter().map(Vec::len).max().unwrap_or(0);
-        let mut line: Vec<String> = values.to_vec();
-        line.push(runs.to_string());
-        line.extend(numbers.iter_mut().map(|numbers| estimate(numbers)));
+    let mut lacking = false;
+    for group in groups.iter_mut().take(LINES_MAX) {
+        let mut line: Vec<String> = group.values.to_vec();
+        line.push(group.runs.to_string());
+        for numbers in &mut group.numbers {
+            let mut cell = estimate(numbers);
+            // A mean of those that have a number at all is another than that of all.
+            if (1..group.runs).contains(&numbers.len()) {
+                cell.push_str(&format!(" ({})", numbers.len()));
+                lacking = true;
+            }
+            line.push(cell);
+        }
         lines.push(line);
     }
     let mut text = aligned(&lines);
+    if lacking {
+        text.push_str("(n): only so many of the runs have this number\n");
+    }
     if groups.len() > LINES_MAX {
         text.push_str(&format!(
             "... and {} combinations more\n",
@@ -78,8 +98,17 @@ pub(super) fn means(sweep: &Sweep, rows: &Rows, wanted: &[String]) -> String {
     text
 }
 
+/// The runs of a combination.
+struct Group<'a> {
+    values: &'a [String],
+    /// Those that came to their end.
+    runs: usize,
+    /// For each column, what they came to; runs without the number are not in it.
+    numbers: Vec<Vec<f64>>,
+}
+
 /// `mean ± half of its 95 % interval`; of one run its number alone.
-fn estimate(numbers: &mut [f64]) -> String {
+pub(super) fn estimate(numbers: &mut [f64]) -> String {
     let Some(mean) = band::mean(numbers) else {
         return "-".to_owned();
     };
@@ -110,28 +139,34 @@ fn asked_for(rows: &Rows, wanted: &[String]) -> Vec<String> {
     names
 }
 
-/// The numbers that are worth a column: what models publish, on average; else what differs from zero.
+/// The numbers that are worth a column: what models publish, on average, and the run's own, if they are not the same
+/// in all runs. If nothing differs, the first that there are.
 fn shown(rows: &Rows) -> Vec<String> {
     let is_mean = |name: &str| {
         name.split(" [")
             .next()
             .is_some_and(|n| n.ends_with("/mean"))
     };
-    let says = |name: &str| {
-        rows.good()
-            .any(|(_, row)| row.number(name).is_some_and(|x| x != 0.0))
+    let differs = |name: &String| {
+        let mut numbers = rows.good().map(|(_, row)| row.number(name));
+        let first = numbers.next();
+        numbers.any(|other| Some(other) != first)
     };
-    let names = rows.names().iter();
-    let published = names.clone().filter(|name| is_mean(name));
     let own = [
         "contacts",
         "packets/sent",
         "packets/received",
         "energy/spent [J]",
     ];
-    let own = own.into_iter().filter(|name| says(name));
-    let all = published.cloned().chain(own.map(str::to_owned));
-    let mut shown: Vec<String> = all.take(COLUMNS_MAX).collect();
+    let published = rows.names().iter().filter(|name| is_mean(name));
+    let own = rows.names().iter().filter(|n| own.contains(&n.as_str()));
+    let all: Vec<String> = published.chain(own).cloned().collect();
+    let differing: Vec<String> = all.iter().filter(|name| differs(name)).cloned().collect();
+    let mut shown = match differing.is_empty() {
+        true => all,
+        false => differing,
+    };
+    shown.truncate(COLUMNS_MAX);
     if shown.is_empty() {
         shown.push("virtual_s".to_owned());
     }
@@ -139,7 +174,7 @@ fn shown(rows: &Rows) -> Vec<String> {
 }
 
 /// Lines of words in columns, the words to the left.
-fn aligned(lines: &[Vec<String>]) -> String {
+pub(super) fn aligned(lines: &[Vec<String>]) -> String {
     let count = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |at: usize| {
         let words = lines.iter().filter_map(|line| line.get(at));
@@ -160,6 +195,7 @@ fn aligned(lines: &[Vec<String>]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::rows::Row;
     use super::*;
 
     #[test]
@@ -168,6 +204,47 @@ mod tests {
         assert_eq!(estimate(&mut [1.0, 2.0, 3.0]), "2 ± 2.48");
         assert_eq!(estimate(&mut [4.5]), "4.5");
         assert_eq!(estimate(&mut []), "-");
+    }
+
+    #[test]
+    fn a_mean_of_those_that_have_the_number_says_how_many_and_what_never_differs_is_not_shown() {
+        let text = "[run]\nend_time = \"1 s\"\n[[model]]\nuse = \"inert-bee\"\n[sweep]\nseeds = 3\n\
+                    [sweep.vary]\nmodel.inert-bee.count = [1, 2]\n";
+        let loaded = simbeeotic_scenario::load_text("x", text, &Default::default());
+        let loaded = loaded.unwrap_or_else(|rejected| panic!("{:?}", rejected.faults));
+        let sweep = loaded.sweep().expect("it varies");
+        let row = |run: usize, found: Option<f64>| {
+            let numbers = [("contacts", run as f64), ("docked/mean", 0.0)];
+            let mut numbers = numbers.map(|(name, x)| (name.to_owned(), x)).to_vec();
+            numbers.extend(found.map(|s| ("found/mean [s]".to_owned(), s)));
+            Row::again(run, 1, "0f", "end time", numbers)
+        };
+        // Runs 0, 2 and 4 are of one bee.
+        let found = [Some(3.0), Some(4.0), None, Some(4.0), None, Some(4.0)];
+        let rows = found
+            .iter()
+            .enumerate()
+            .map(|(run, found)| row(run, *found));
+        let rows = Rows::of(sweep, rows.collect());
+        let text = means(sweep, &rows, &columns(&rows, &[]));
+        let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split("  ").collect()).collect();
+        let words = |at: usize| -> Vec<&str> {
+            let words = lines[at].iter().map(|word| word.trim());
+            words.filter(|word| !word.is_empty()).collect()
+        };
+        assert_eq!(
+            words(0),
+            [
+                "model.inert-bee.count",
+                "runs",
+                "found/mean [s]",
+                "contacts"
+            ],
+            "{text}"
+        );
+        assert_eq!(words(1), ["1", "3", "3 (1)", "2 ± 4.97"], "{text}");
+        assert_eq!(words(2), ["2", "3", "4 ± 0", "3 ± 4.97"], "{text}");
+        assert!(text.contains("(n): only so many"), "{text}");
     }
 
     #[test]

@@ -30,6 +30,12 @@ struct Number {
 const OWN: [&str; 4] = ["virtual_s", "contacts", "packets/sent", "packets/received"];
 /// There if there are batteries.
 const ENERGY: &str = "energy/spent [J]";
+/// What the mean of a published number is called by.
+const MEAN: &str = "/mean";
+/// What stands behind the name of a published number that could be taken for another column.
+const PUBLISHED: &str = " (published)";
+/// Columns that are no numbers.
+const WORDS: [&str; 5] = ["run", "seed", "trace_hash", "ended", "error"];
 
 impl Row {
     pub(super) fn of(run: usize, summary: &Summary) -> Self {
@@ -41,16 +47,7 @@ impl Row {
             s.packets.received as f64,
         ];
         let mut numbers: Vec<Number> = Vec::new();
-        let mut add = |name: String, value: f64| {
-            // A model may call its number what we call ours.
-            let taken = numbers.iter().any(|number| number.name == name);
-            let name = if taken {
-                format!("{name} (published)")
-            } else {
-                name
-            };
-            numbers.push(Number { name, value });
-        };
+        let mut add = |name: String, value: f64| numbers.push(Number { name, value });
         for (name, value) in OWN.iter().zip(own) {
             add((*name).to_owned(), value);
         }
@@ -62,8 +59,9 @@ impl Row {
                 "1" | "" => String::new(),
                 unit => format!(" [{unit}]"),
             };
-            add(format!("{}{unit}", line.name), line.sum);
-            add(format!("{}/mean{unit}", line.name), line.mean);
+            let name = published(&line.name);
+            add(format!("{name}{unit}"), line.sum);
+            add(format!("{name}{MEAN}{unit}"), line.mean);
         }
         Self {
             run,
@@ -73,6 +71,34 @@ impl Row {
             error: String::new(),
             numbers,
         }
+    }
+
+    /// A run that is done already.
+    pub(super) fn again(
+        run: usize,
+        seed: i64,
+        trace_hash: &str,
+        ended: &str,
+        numbers: Vec<(String, f64)>,
+    ) -> Self {
+        let numbers = numbers.into_iter();
+        Self {
+            run,
+            seed,
+            trace_hash: trace_hash.to_owned(),
+            ended: ended.to_owned(),
+            error: String::new(),
+            numbers: numbers
+                .map(|(name, value)| Number { name, value })
+                .collect(),
+        }
+    }
+
+    /// Its numbers by their names.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.numbers
+            .iter()
+            .map(|number| (number.name.as_str(), number.value))
     }
 
     /// A run that could not be put together.
@@ -96,6 +122,17 @@ impl Row {
     pub(super) fn number(&self, name: &str) -> Option<f64> {
         let number = self.numbers.iter().find(|number| number.name == name);
         number.map(|number| number.value)
+    }
+}
+
+/// What a published number is called here. One that has a name of ours, or one that ends as those of means do, is
+/// marked, whatever else the run published: a column means the same in all runs.
+fn published(name: &str) -> String {
+    let mut ours = OWN.iter().chain(&WORDS).chain([&ENERGY]);
+    let is_ours = ours.any(|column| column.split(" [").next() == Some(name));
+    match is_ours || name.ends_with(MEAN) {
+        true => format!("{name}{PUBLISHED}"),
+        false => name.to_owned(),
     }
 }
 
@@ -131,6 +168,12 @@ impl Rows {
 
     pub(super) fn len(&self) -> usize {
         self.rows.len()
+    }
+
+    /// Whether a run, counted from 0, has a row.
+    pub(super) fn has(&self, run: usize) -> bool {
+        let place = self.rows.binary_search_by_key(&run, |(_, row)| row.run);
+        place.is_ok()
     }
 
     pub(super) fn failed(&self) -> usize {
@@ -196,14 +239,25 @@ mod tests {
         };
         let summary = Summary {
             touches: 7,
-            metrics: vec![metric("contacts", "1"), metric("spread", "m")],
+            metrics: vec![
+                metric("contacts", "1"),
+                metric("spread", "m"),
+                metric("drift", "m"),
+                metric("drift/mean", "m"),
+                metric("seed", "1"),
+                metric("energy/spent", "kJ"),
+            ],
             ..Summary::default()
         };
         let row = Row::of(3, &summary);
         for (name, value) in [
             ("contacts", 7.0),
             ("contacts (published)", 10.0),
-            ("contacts/mean", 2.5),
+            ("contacts (published)/mean", 2.5),
+            ("seed (published)", 10.0),
+            ("energy/spent (published) [kJ]", 10.0),
+            ("drift/mean [m]", 2.5),
+            ("drift/mean (published) [m]", 10.0),
             ("spread [m]", 10.0),
             ("spread/mean [m]", 2.5),
             ("virtual_s", 0.0),
@@ -211,5 +265,29 @@ mod tests {
             assert_eq!(row.number(name), Some(value), "{name}");
         }
         assert_eq!(row.number(ENERGY), None, "there are no batteries");
+        // Alone it has the same name, and no other number has it.
+        let alone = Summary {
+            metrics: vec![metric("drift/mean", "m")],
+            ..Summary::default()
+        };
+        let alone = Row::of(0, &alone);
+        assert_eq!(alone.number("drift/mean [m]"), None);
+        assert_eq!(alone.number("drift/mean (published) [m]"), Some(10.0));
+    }
+
+    #[test]
+    fn a_row_that_was_kept_as_text_is_the_same_to_the_last_bit() {
+        let numbers = [0.1 + 0.2, -0.0, 1e300, 5e-324, f64::INFINITY, 1.0 / 3.0];
+        for number in numbers {
+            let again: f64 = number.to_string().parse().expect("a number");
+            assert_eq!(again.to_bits(), number.to_bits(), "{number}");
+        }
+        let numbers = numbers.map(|number| (number.to_string(), number)).to_vec();
+        let row = Row::again(3, -7, "0f", "end time", numbers.clone());
+        let read: Vec<(String, f64)> = row
+            .numbers()
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
+        assert_eq!(read, numbers);
     }
 }

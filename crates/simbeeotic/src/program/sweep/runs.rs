@@ -1,18 +1,25 @@
 //! The runs themselves, several at a time.
 
+use super::bar::{Bar, Counts};
 use super::rows::Row;
+use super::unfinished::Unfinished;
 use super::{SweepOptions, said};
 use crate::program::outputs::RECORDER;
 use crate::program::run::{INTERRUPTED, at_interrupt, recorder};
-use crate::program::show::Steps;
 use crate::program::view::VIEWER;
 use crate::program::{Failure, complain, input};
 use simbeeotic_kernel::pace::Control;
-use simbeeotic_model::Simulation;
-use simbeeotic_scenario::Sweep;
+use simbeeotic_kernel::{Progress, SimTime};
+use simbeeotic_model::{Setup, Simulation};
+use simbeeotic_scenario::{Loaded, Sweep};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Wall time that a run may take to tell how long the others will.
+const SAMPLE: Duration = Duration::from_secs(1);
 
 /// What became of all runs.
 pub(super) struct Done {
@@ -27,11 +34,29 @@ struct Shared<'a> {
     sweep: &'a Sweep,
     jobs: usize,
     record: Option<PathBuf>,
+    /// The runs that are to be flown, and the place of the next among them.
+    runs: Vec<usize>,
     next: AtomicUsize,
     /// The runs that are going on; `None` once they shall stop.
-    going: Arc<Mutex<Option<Vec<Arc<Control>>>>>,
-    rows: Mutex<Vec<Row>>,
-    bar: Option<Steps>,
+    going: Arc<Mutex<Option<Vec<Going>>>>,
+    rows: Mutex<(Vec<Row>, &'a mut Unfinished)>,
+    done: Arc<AtomicUsize>,
+    bar: Option<Bar>,
+}
+
+/// A run that is going on.
+pub(super) struct Going {
+    control: Arc<Control>,
+    progress: Arc<Progress>,
+    end: SimTime,
+}
+
+impl Going {
+    /// How much of it is over.
+    pub(super) fn share(&self) -> f64 {
+        let (now, end) = (self.progress.now(), self.end);
+        (now.as_secs_f64() / end.as_secs_f64()).clamp(0.0, 1.0)
+    }
 }
 
 /// A lock that one who panicked held is as good as any: what is behind it is whole.
@@ -39,22 +64,38 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs all runs. One that fails is told, and the others go on.
-pub(super) fn run(sweep: &Sweep, options: &SweepOptions) -> Result<Done, Failure> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+/// Runs all runs but those whose rows are `done`. One that fails is told, and the others go on.
+pub(super) fn run(
+    sweep: &Sweep,
+    options: &SweepOptions,
+    done: Vec<Row>,
+    unfinished: &mut Unfinished,
+) -> Result<Done, Failure> {
+    let mut is_done = vec![false; sweep.len()];
+    done.iter().for_each(|row| is_done[row.run] = true);
+    let runs: Vec<usize> = (0..sweep.len()).filter(|run| !is_done[*run]).collect();
+    let counter = Arc::new(AtomicUsize::new(done.len()));
+    let going = Arc::new(Mutex::new(Some(Vec::new())));
+    let counts = Counts {
+        all: sweep.len(),
+        before: done.len(),
+        done: Arc::clone(&counter),
+    };
+    let bar = (!options.quiet).then(|| Bar::start(counts, Arc::clone(&going)));
     let shared = Shared {
         sweep,
-        jobs: options.jobs.unwrap_or(cores).min(sweep.len()),
+        jobs: jobs(options, runs.len()),
         record: options.record.clone(),
+        runs,
         next: AtomicUsize::new(0),
-        going: Arc::new(Mutex::new(Some(Vec::new()))),
-        rows: Mutex::new(Vec::new()),
-        bar: (!options.quiet).then(|| Steps::start(sweep.len() as u64, "runs")),
+        going: Arc::clone(&going),
+        rows: Mutex::new((done, unfinished)),
+        done: counter,
+        bar,
     };
-    let going = Arc::clone(&shared.going);
     let interrupted = at_interrupt(move || {
-        for control in lock(&going).take().into_iter().flatten() {
-            control.stop(INTERRUPTED);
+        for going in lock(&going).take().into_iter().flatten() {
+            going.control.stop(INTERRUPTED);
         }
     });
     std::thread::scope(|scope| {
@@ -62,10 +103,8 @@ pub(super) fn run(sweep: &Sweep, options: &SweepOptions) -> Result<Done, Failure
             scope.spawn(|| work(&shared));
         }
     });
-    let mut rows = shared
-        .rows
-        .into_inner()
-        .unwrap_or_else(PoisonError::into_inner);
+    let rows = shared.rows.into_inner();
+    let (mut rows, _) = rows.unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|row| row.run);
     Ok(Done {
         interrupted: interrupted.load(Ordering::Relaxed) && rows.len() < sweep.len(),
@@ -73,17 +112,31 @@ pub(super) fn run(sweep: &Sweep, options: &SweepOptions) -> Result<Done, Failure
     })
 }
 
+/// Runs at a time.
+fn jobs(options: &SweepOptions, runs: usize) -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    options.jobs.unwrap_or(cores).min(runs)
+}
+
 /// Takes runs until there are no more.
 fn work(shared: &Shared<'_>) {
     loop {
-        let run = shared.next.fetch_add(1, Ordering::Relaxed);
-        if run >= shared.sweep.len() || lock(&shared.going).is_none() {
+        let next = shared.next.fetch_add(1, Ordering::Relaxed);
+        let Some(run) = shared.runs.get(next).copied() else {
+            return;
+        };
+        if lock(&shared.going).is_none() {
             return;
         }
-        let row = match one(shared, run) {
+        let row = match caught(shared, run) {
             Ok(Some(row)) => row,
-            // Interrupted: it did not come to its end.
-            Ok(None) => return,
+            // Interrupted: it did not come to its end, and nor did its recording.
+            Ok(None) => {
+                if let Some(folder) = &shared.record {
+                    let _ = std::fs::remove_file(super::recording(folder, run));
+                }
+                return;
+            }
             Err(row) => {
                 let text = format!(
                     "run {}{} failed: {}",
@@ -99,11 +152,60 @@ fn work(shared: &Shared<'_>) {
             }
         };
         let mut rows = lock(&shared.rows);
-        rows.push(row);
-        if let Some(bar) = &shared.bar {
-            bar.at(rows.len() as u64);
+        let (rows, unfinished) = &mut *rows;
+        // What failed is flown again.
+        if row.error.is_empty() {
+            unfinished.add(shared.sweep, &row);
         }
+        rows.push(row);
+        shared.done.store(rows.len(), Ordering::Relaxed);
     }
+}
+
+/// One run. A part that panics while it is built fails its own run, and not the others.
+fn caught(shared: &Shared<'_>, run: usize) -> Result<Option<Row>, Box<Row>> {
+    catch_unwind(AssertUnwindSafe(|| one(shared, run))).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+        let error = format!("panicked: {}", text.unwrap_or("without a word"));
+        Err(Box::new(Row::failed(run, shared.sweep.seed(run), error)))
+    })
+}
+
+/// The set-up of a run that nobody watches.
+fn unwatched(loaded: &Loaded) -> Result<Setup, Failure> {
+    let mut setup = input::setup(loaded)?;
+    setup
+        .components
+        .retain(|(name, _)| name != RECORDER && name != VIEWER);
+    setup.pace = None;
+    Ok(setup)
+}
+
+/// Wall seconds that so many runs may take, judged by a second of the first run and one of the last.
+pub(super) fn estimate_s(sweep: &Sweep, options: &SweepOptions, runs: usize) -> Option<f64> {
+    let jobs = jobs(options, runs);
+    let sample = |run: usize| -> Option<f64> {
+        let loaded = sweep.load(run).ok()?;
+        let mut setup = unwatched(&loaded).ok()?;
+        setup.limits.wall = Some(SAMPLE);
+        if jobs > 1 {
+            setup.threads = 1;
+        }
+        let mut simulation = Simulation::new(setup).ok()?;
+        let end = simulation.end().as_secs_f64();
+        let outcome = simulation.run();
+        let s = outcome.summary;
+        let share = match outcome.error {
+            None if s.virtual_s > 0.0 && s.wall_s >= SAMPLE.as_secs_f64() => s.virtual_s / end,
+            None => 1.0,
+            Some(_) => return None,
+        };
+        Some(s.time.init_s + s.wall_s / share)
+    };
+    let last = sweep.len() - 1;
+    let both = catch_unwind(AssertUnwindSafe(|| Some([sample(0)?, sample(last)?]))).ok()??;
+    Some(0.5 * (both[0] + both[1]) * runs as f64 / jobs.max(1) as f64)
 }
 
 /// One run. `None` if it was interrupted.
@@ -111,11 +213,7 @@ fn one(shared: &Shared<'_>, run: usize) -> Result<Option<Row>, Box<Row>> {
     let failed = |error: String| Box::new(Row::failed(run, shared.sweep.seed(run), error));
     let loaded = shared.sweep.load(run);
     let loaded = loaded.map_err(|rejected| failed(input::text_of(&rejected)))?;
-    let mut setup = input::setup(&loaded).map_err(|f| failed(f.message))?;
-    setup
-        .components
-        .retain(|(name, _)| name != RECORDER && name != VIEWER);
-    setup.pace = None;
+    let mut setup = unwatched(&loaded).map_err(|f| failed(f.message))?;
     if shared.jobs > 1 {
         setup.threads = 1;
     }
@@ -128,13 +226,17 @@ fn one(shared: &Shared<'_>, run: usize) -> Result<Option<Row>, Box<Row>> {
     let mut simulation =
         simulation.map_err(|e| failed(input::setup_failure(&loaded, e).message))?;
     match lock(&shared.going).as_mut() {
-        Some(going) => going.push(simulation.control()),
+        Some(going) => going.push(Going {
+            control: simulation.control(),
+            progress: simulation.progress(),
+            end: simulation.end(),
+        }),
         None => return Ok(None),
     }
     let outcome = simulation.run();
     let control = simulation.control();
     if let Some(going) = lock(&shared.going).as_mut() {
-        going.retain(|other| !Arc::ptr_eq(other, &control));
+        going.retain(|other| !Arc::ptr_eq(&other.control, &control));
     }
     match outcome.error {
         Some(error) => {

@@ -1,0 +1,379 @@
+//! The rows of a sweep that is not at its end, beside its table: written as they come, and taken up again by
+//! `--resume`.
+//!
+//! `TABLE.unfinished` has lines of JSON: first what the rows hang on (the program, the scenario, the files that it
+//! names), then a row for each run that came to its end, in the order in which they did. Numbers are text, as in
+//! the table, so that they come back to the last bit. A line that a crash cut off is no row. The file goes
+//! when the table is whole.
+
+use super::rows::Row;
+use super::{SweepOptions, recording};
+use crate::program::{Failure, remark};
+use serde::{Deserialize, Serialize};
+use simbeeotic_scenario::Sweep;
+use simbeeotic_scenario::sweep::hash_of;
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What the name of the table gets.
+const ENDING: &str = ".unfinished";
+/// What the file is, in its first line.
+const WHAT: &str = "rows of a sweep of simbeeotic";
+/// Rows of no more than this time are lost if the machine stops; if only the program does, none.
+const SYNCED: Duration = Duration::from_secs(1);
+
+/// What rows hang on: those of another are not taken up.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Head {
+    what: String,
+    version: String,
+    /// The hash of the program's own file.
+    program: String,
+    /// Scenario and files, each with its hash.
+    made_of: Vec<(String, String)>,
+    /// What varies.
+    keys: Vec<String>,
+}
+
+impl Head {
+    fn of(sweep: &Sweep) -> Self {
+        let program = std::env::current_exe().and_then(File::open);
+        let program = program.and_then(hash_of).unwrap_or(0);
+        let made_of = sweep.made_of().into_iter();
+        Self {
+            what: WHAT.to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            program: format!("{program:016x}"),
+            made_of: made_of
+                .map(|(name, hash)| (name, format!("{hash:016x}")))
+                .collect(),
+            keys: sweep.keys().map(str::to_owned).collect(),
+        }
+    }
+
+    /// What is another now; `None` if nothing is.
+    fn changed(&self, now: &Self) -> Option<String> {
+        if self.version != now.version {
+            return Some(format!(
+                "the program was of version {}, and is of {}",
+                self.version, now.version
+            ));
+        }
+        if self.program != now.program {
+            return Some("the program was built anew".to_owned());
+        }
+        if self.keys != now.keys {
+            let keys = |head: &Self| match head.keys.as_slice() {
+                [] => "nothing but the seed".to_owned(),
+                keys => keys.join(", "),
+            };
+            return Some(format!(
+                "what varied was {}, and is {}",
+                keys(self),
+                keys(now)
+            ));
+        }
+        let other = |(name, hash): &&(String, String)| {
+            let was = self.made_of.iter().find(|(known, _)| known == name);
+            was.is_none_or(|(_, was)| was != hash)
+        };
+        let new = now.made_of.iter().find(other);
+        let gone = || {
+            let is_there = |name: &String| now.made_of.iter().any(|(known, _)| known == name);
+            self.made_of.iter().find(|(name, _)| !is_there(name))
+        };
+        let (name, _) = new.or_else(gone)?;
+        Some(format!("{name} has changed"))
+    }
+}
+
+/// A row, and the run that it is of.
+#[derive(Serialize, Deserialize)]
+struct Line {
+    run: String,
+    seed: i64,
+    trace_hash: String,
+    ended: String,
+    numbers: Vec<(String, String)>,
+}
+
+/// The file, and what is in it.
+pub(super) struct Unfinished {
+    /// `None` if the table is no file, and so nothing stays of it.
+    path: Option<PathBuf>,
+    head: Head,
+    /// Open once there is a row in it.
+    file: Option<File>,
+    synced: Instant,
+    /// Whether it can be written; that it cannot is told once.
+    writes: bool,
+}
+
+impl Unfinished {
+    /// Looks for rows beside the table: with `--resume` they are the second value, by their runs.
+    ///
+    /// # Errors
+    /// There are rows, and no option says what becomes of them; they hang on something else.
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "when the disk was last waited for"
+    )]
+    pub(super) fn open(
+        sweep: &Sweep,
+        table: &Path,
+        options: &SweepOptions,
+    ) -> Result<(Self, Vec<Row>), Failure> {
+        let no_file = fs::metadata(table).is_ok_and(|there| !there.is_file());
+        let mut this = Self {
+            path: (!no_file).then(|| beside(table)),
+            head: Head::of(sweep),
+            file: None,
+            synced: Instant::now(),
+            writes: true,
+        };
+        let Some(path) = this.path.clone() else {
+            return Ok((this, Vec::new()));
+        };
+        let (head, lines) = match fs::read(&path) {
+            Ok(bytes) => parsed(&path, &bytes)?,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                if options.resume && !options.quiet {
+                    remark("there is nothing to go on with: all runs are flown");
+                }
+                return Ok((this, Vec::new()));
+            }
+            Err(e) => return Err(Failure::input(format!("{}: {e}", path.display()))),
+        };
+        if options.restart || lines.is_empty() {
+            return Ok((this, Vec::new()));
+        }
+        if !options.resume {
+            return Err(Failure::input(format!(
+                "{} has {} of a sweep that was broken off: --resume goes on with it, --restart begins again",
+                path.display(),
+                super::runs_said(lines.len()),
+            )));
+        }
+        if let Some(what) = head.changed(&this.head) {
+            return Err(Failure::input(format!(
+                "--resume: {what}, so the {} in {} may be others now: --restart flies them again",
+                super::runs_said(lines.len()),
+                path.display(),
+            )));
+        }
+        let rows = this.rows(sweep, &lines, options.record.as_deref());
+        if rows.len() < lines.len() && !options.quiet {
+            let rest = super::runs_said(lines.len() - rows.len());
+            let why = match &options.record {
+                Some(_) => "of no run of this sweep, or without a recording",
+                None => "of no run of this sweep",
+            };
+            remark(format!("{rest} in {} left out: {why}", path.display()));
+        }
+        this.rewrite(sweep, &rows)
+            .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
+        Ok((this, rows))
+    }
+
+    /// The rows that are of runs of this sweep, in their order.
+    fn rows(&self, sweep: &Sweep, lines: &[Line], record: Option<&Path>) -> Vec<Row> {
+        let runs: BTreeMap<String, usize> =
+            (0..sweep.len()).map(|run| (sweep.told(run), run)).collect();
+        let mut rows = BTreeMap::new();
+        for line in lines {
+            let Some(run) = runs.get(&line.run) else {
+                continue;
+            };
+            if record.is_some_and(|folder| !recording(folder, *run).is_file()) {
+                continue;
+            }
+            let numbers = line.numbers.iter();
+            let numbers = numbers.map(|(name, text)| Some((name.clone(), text.parse().ok()?)));
+            let Some(numbers) = numbers.collect::<Option<Vec<_>>>() else {
+                continue;
+            };
+            let row = Row::again(*run, line.seed, &line.trace_hash, &line.ended, numbers);
+            rows.insert(*run, row);
+        }
+        rows.into_values().collect()
+    }
+
+    /// Writes it with these rows alone.
+    fn rewrite(&mut self, sweep: &Sweep, rows: &[Row]) -> io::Result<()> {
+        let Some(path) = self.path.as_ref().filter(|_| !rows.is_empty()) else {
+            return Ok(());
+        };
+        let mut text = line_of(&self.head)?;
+        for row in rows {
+            text.push_str(&line_of(&kept(sweep, row))?);
+        }
+        simbeeotic_record::publish(path, |mut file| file.write_all(text.as_bytes()))?;
+        self.file = Some(File::options().append(true).open(path)?);
+        Ok(())
+    }
+
+    /// Adds a run that came to its end.
+    pub(super) fn add(&mut self, sweep: &Sweep, row: &Row) {
+        if !self.writes {
+            return;
+        }
+        if let Err(e) = self.append(sweep, row) {
+            self.writes = false;
+            remark(format!(
+                "rows cannot be written as they come ({e}): if this sweep is broken off, --resume does not know \
+                 them"
+            ));
+        }
+    }
+
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "the disk is waited for once a second, not for each row"
+    )]
+    fn append(&mut self, sweep: &Sweep, row: &Row) -> io::Result<()> {
+        if self.file.is_none() {
+            return self.rewrite(sweep, std::slice::from_ref(row));
+        }
+        let Some(file) = &mut self.file else {
+            return Ok(());
+        };
+        // In one piece: what is cut off is a line that is none.
+        file.write_all(line_of(&kept(sweep, row))?.as_bytes())?;
+        let now = Instant::now();
+        if now.saturating_duration_since(self.synced) > SYNCED {
+            file.sync_data()?;
+            self.synced = now;
+        }
+        Ok(())
+    }
+
+    /// The table is whole: the file goes.
+    pub(super) fn finish(self) {
+        if let Some(path) = &self.path {
+            let _ = fs::remove_file(path);
+        }
+    }
+
+    /// Whether there are rows in it to go on with.
+    pub(super) fn is_kept(&self) -> bool {
+        self.file.is_some() && self.writes
+    }
+}
+
+fn beside(table: &Path) -> PathBuf {
+    let mut name = table.file_name().unwrap_or_default().to_os_string();
+    name.push(ENDING);
+    table.with_file_name(name)
+}
+
+fn line_of(value: &impl Serialize) -> io::Result<String> {
+    let mut text = serde_json::to_string(value)?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn kept(sweep: &Sweep, row: &Row) -> Line {
+    let numbers = row.numbers();
+    Line {
+        run: sweep.told(row.run),
+        seed: row.seed,
+        trace_hash: row.trace_hash.clone(),
+        ended: row.ended.clone(),
+        numbers: numbers
+            .map(|(name, value)| (name.to_owned(), value.to_string()))
+            .collect(),
+    }
+}
+
+/// Head and rows of a file; a line that is no row is none, as a crash leaves it.
+fn parsed(path: &Path, bytes: &[u8]) -> Result<(Head, Vec<Line>), Failure> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut lines = text.lines();
+    let head = lines
+        .next()
+        .and_then(|line| serde_json::from_str::<Head>(line).ok());
+    match head.filter(|head| head.what == WHAT) {
+        Some(head) => {
+            let rows = lines.filter_map(|line| serde_json::from_str(line).ok());
+            Ok((head, rows.collect()))
+        }
+        None => Err(Failure::input(format!(
+            "{}: this file is in the way of the rows of the sweep, and it is something else: remove it, or choose \
+             another --output",
+            path.display()
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn head() -> Head {
+        Head {
+            what: WHAT.to_owned(),
+            version: "0.1.0".to_owned(),
+            program: "00".to_owned(),
+            made_of: [("the scenario", "0a"), ("w.toml", "0b")]
+                .map(|(name, hash)| (name.to_owned(), hash.to_owned()))
+                .to_vec(),
+            keys: vec!["model.bee.count".to_owned()],
+        }
+    }
+
+    #[test]
+    fn what_has_changed_is_said() {
+        assert_eq!(head().changed(&head()), None);
+        let said = |change: fn(&mut Head)| {
+            let mut now = head();
+            change(&mut now);
+            head().changed(&now).expect("it has changed")
+        };
+        assert!(said(|now| now.version = "0.2.0".to_owned()).contains("and is of 0.2.0"));
+        assert!(said(|now| now.program = "01".to_owned()).contains("built anew"));
+        assert!(said(|now| now.keys.clear()).contains("and is nothing but the seed"));
+        assert_eq!(
+            said(|now| now.made_of[0].1 = "0c".to_owned()),
+            "the scenario has changed"
+        );
+        for change in [
+            (|now| now.made_of[1].1 = "0c".to_owned()) as fn(&mut Head),
+            |now| now.made_of.truncate(1),
+        ] {
+            assert_eq!(said(change), "w.toml has changed");
+        }
+        assert_eq!(
+            said(|now| now.made_of.push(("m.stl".to_owned(), "01".to_owned()))),
+            "m.stl has changed"
+        );
+    }
+
+    #[test]
+    fn a_line_that_a_crash_cut_off_is_no_row_and_another_file_is_refused() {
+        let row = Line {
+            run: "seed = 1".to_owned(),
+            seed: 1,
+            trace_hash: "0f".to_owned(),
+            ended: "end time".to_owned(),
+            numbers: vec![("spread [m]".to_owned(), "0.1".to_owned())],
+        };
+        let mut text = line_of(&head()).expect("JSON");
+        text.push_str(&line_of(&row).expect("JSON"));
+        let whole = text.len();
+        text.push_str(&line_of(&row).expect("JSON"));
+        let path = Path::new("x");
+        let rows = |length: usize| {
+            let (read, rows) = parsed(path, &text.as_bytes()[..length])
+                .unwrap_or_else(|f| panic!("{}", f.message));
+            assert!(read == head());
+            rows.len()
+        };
+        assert_eq!((rows(whole), rows(whole + 9), rows(text.len())), (1, 1, 2));
+        for other in ["", "run,seed\n", "{\"what\": 3}\n"] {
+            assert!(parsed(path, other.as_bytes()).is_err(), "{other}");
+        }
+    }
+}
