@@ -206,7 +206,10 @@ export class Page {
     }
     if (moment.packets.length > 0) scene?.addPackets(moment.packets, this.speed());
     run.time.value = moment.t_s;
-    if (run.replay) run.links.value = run.linksAt(moment.t_s);
+    if (run.replay) {
+      run.links.value = run.linksAt(moment.t_s);
+      run.wind.value = run.windAt(moment.t_s);
+    }
   }
 
   private speed(): number {

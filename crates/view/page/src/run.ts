@@ -42,6 +42,9 @@ export interface Has {
   beams: boolean;
 }
 
+/** Always the same, so that it is no change. */
+const stillAir: number[][] = [];
+
 export class Run {
   readonly series = new SeriesStore();
   readonly state = new Signal<State | null>(null);
@@ -82,6 +85,7 @@ export class Run {
   private expected: { part: Partial<State>; until_ms: number } | null = null;
   private readonly numbers = new Map<string, number>();
   private readonly linkTimes: { t: number; list: Link[] }[] = [];
+  private readonly windTimes: { t: number; arrows: number[][] }[] = [];
 
   constructor(
     readonly hello: Hello,
@@ -155,7 +159,13 @@ export class Run {
         break;
       case "wind":
         this.found({ wind: message.arrows.length > 0 });
-        this.wind.value = message.arrows;
+        if (this.replay) {
+          // Of a recording all of it comes at once, in order.
+          this.windTimes.push({ t: message.t, arrows: message.arrows });
+          this.wind.value = this.windAt(this.replay.time_s);
+        } else {
+          this.wind.value = message.arrows;
+        }
         break;
       case "details":
         // What was on its way when somebody else was selected is nobody's business.
@@ -278,6 +288,11 @@ export class Run {
   /** Links as they were last told at a time of a recording. */
   linksAt(t_s: number): Link[] {
     return this.linkTimes.findLast((entry) => entry.t <= t_s + 1e-9)?.list ?? [];
+  }
+
+  /** The wind as it was last told at a time of a recording. */
+  windAt(t_s: number): number[][] {
+    return this.windTimes.findLast((entry) => entry.t <= t_s + 1e-9)?.arrows ?? stillAir;
   }
 
   /** The program has come back: it forgot whom we look at. */

@@ -8,7 +8,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { sources } from "./sources.mjs";
 
-const { axis, decode, place, format, series, replay, live, keys } = await sources({
+const { axis, decode, place, format, series, replay, live, keys, run } = await sources({
   axis: "core/axis.ts",
   decode: "decode.ts",
   place: "core/place.ts",
@@ -17,6 +17,7 @@ const { axis, decode, place, format, series, replay, live, keys } = await source
   replay: "player/replay.ts",
   live: "player/live.ts",
   keys: "ui/keys.ts",
+  run: "run.ts",
 });
 
 function frameBytes(time, n, columns) {
@@ -318,6 +319,74 @@ test("steps go from tick to tick", () => {
   player.stepTick(-1);
   player.stepTick(-1);
   assert.equal(player.advance(2).t_s, 0);
+});
+
+/** A run of two vehicles, and all that the page says to its program. */
+function runOf(mode) {
+  const said = [];
+  const replay = { from_s: 0, to_s: 10, ticks_s: [0, 5, 10], period_s: 5 };
+  const vehicles = { paths: ["bee-0", "bee-1"], kinds: ["bee", "bee"], roles: [], radii_m: [0.1, 0.1], colors: [], looks: [] };
+  const hello = { type: "hello", mode, name: "x.toml", vehicles, ...(mode === "replay" ? { replay } : {}) };
+  return { run: new run.Run(hello, { send: (message) => said.push(message) > 0 }), said };
+}
+
+test("the wind of a recording is that of the time which is shown, in whatever direction one goes", () => {
+  const { run } = runOf("replay");
+  assert.equal(run.has.value.wind, false);
+  const west = [[0, 0, 10, 2, 0, 0]];
+  const north = [[0, 0, 10, 0, -3, 0]];
+  run.hear({ type: "wind", t: 1, arrows: west });
+  run.hear({ type: "wind", t: 4, arrows: north });
+  run.hear({ type: "wind", t: 8, arrows: [] });
+  assert.equal(run.has.value.wind, true);
+  assert.deepEqual([0.5, 1, 3.9, 4, 7, 8, 9].map((t) => run.windAt(t)), [[], west, west, north, north, [], []]);
+});
+
+test("what was asked for is shown at once, and what the program says wins", () => {
+  const { run } = runOf("live");
+  const state = { type: "state", time_s: 1, paused: false, factor: 1, speed: 1, ended: null, events: 5, viewers: 1, skipped: 0 };
+  run.hear(state);
+  run.expect({ paused: true });
+  assert.equal(run.state.value.paused, true);
+  run.hear({ ...state, time_s: 1.1 });
+  assert.equal(run.state.value.paused, true, "said before the wish was heard");
+  assert.equal(run.told.paused, false);
+  run.hear({ ...state, paused: true });
+  run.hear({ ...state, time_s: 2 });
+  assert.equal(run.state.value.paused, false, "another page let it go on");
+  run.expect({ paused: true });
+  run.hear({ ...state, ended: "end time" });
+  assert.equal(run.state.value.paused, false, "a run that has ended is not held");
+});
+
+test("a mark that is jumped to is of the kind that is wanted, and of the selected vehicle if it has any", () => {
+  const { run } = runOf("replay");
+  const mark = (t, kind, who) => ({ t, kind, who, text: "" });
+  run.hear({ type: "marks", list: [mark(1, "contact", [0]), mark(2, "log", [1]), mark(3, "contact", [1]), mark(4, "log", [0])], dropped: 0 });
+  const jump = (by) => {
+    run.seekMark(by);
+    return run.replay.time_s;
+  };
+  assert.deepEqual([jump(1), jump(1), jump(1)], [1, 2, 3]);
+  run.markKind.value = "log";
+  assert.equal(jump(-1), 2);
+  run.markKind.value = "contact";
+  run.select(1);
+  assert.equal(jump(1), 3);
+  assert.equal(jump(1), 3, "there is no other");
+  assert.equal(run.notice.value.text, "No contact of bee-1 after this time.");
+});
+
+test("a vehicle that stands is told of again and again, and is news once", () => {
+  const { run } = runOf("live");
+  let news = 0;
+  run.select(1);
+  run.details.on(() => (news += 1));
+  const details = () => ({ type: "details", vehicle: 1, t: 4, parts: [], sensors: [], battery: null, radios: [], packets: [] });
+  for (let k = 0; k < 3; k += 1) run.hear(details());
+  assert.equal(news, 1);
+  run.hear({ ...details(), t: 5 });
+  assert.equal(news, 2);
 });
 
 test("keys have the names of the help sheet", () => {

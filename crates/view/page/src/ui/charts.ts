@@ -93,7 +93,8 @@ export function chosen(run: Run): ChartKey[] {
   const usual = USUAL.filter((name) => names.includes(name));
   // What models say of the run itself; then means of what they say of vehicles.
   const published = names.filter((name) => !USUAL.includes(name) && !/\/(sum|mean)$/.test(name));
-  const means = names.filter((name) => name.endsWith("/mean"));
+  // Of a battery its charge says enough.
+  const means = names.filter((name) => name.endsWith("/mean") && !/^battery\/(voltage|current)\//.test(name));
   const own = [...published, ...means].slice(0, MOST_PUBLISHED);
   const keys = [...usual.slice(0, MOST - own.length), ...own].map((name) => ({ name, own: false }));
   const battery = batteryName(run.series);

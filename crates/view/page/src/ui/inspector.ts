@@ -158,18 +158,21 @@ function radioSection(details: Details): Section {
     const sent = h("td", { class: "figure" });
     const received = h("td", { class: "figure" });
     const lost = h("p", { class: "faint" });
+    const uncounted = h("p", { class: "faint", text: "Its frames were not counted." });
+    const table = h(
+      "table",
+      { class: "facts" },
+      h("tr", {}, h("th", { scope: "row", text: "sent" }), sent, h("th", { scope: "row", text: "received" }), received),
+    );
     const element = h(
       "div",
       { class: "radio" },
       h("div", { class: "first" }, h("strong", { class: "cut", text: radio.name }), state),
-      h(
-        "table",
-        { class: "facts" },
-        h("tr", {}, h("th", { scope: "row", text: "sent" }), sent, h("th", { scope: "row", text: "received" }), received),
-      ),
+      table,
+      uncounted,
       lost,
     );
-    return { element, state, sent, received, lost };
+    return { element, state, table, uncounted, sent, received, lost };
   });
   return {
     element: h("section", {}, h("h3", { text: "Radio" }), ...rows.map((row) => row.element)),
@@ -178,6 +181,9 @@ function radioSection(details: Details): Section {
         const row = rows[at];
         if (!row) return;
         say(row.state, [radio.channel === null ? "" : `channel ${radio.channel}`, radio.state ?? ""].filter(Boolean).join(", "));
+        const counted = radio.sent !== null || radio.received !== null;
+        show(row.table, counted);
+        show(row.uncounted, !counted);
         say(row.sent, count(radio.sent));
         say(row.received, count(radio.received));
         const causes = Object.entries(radio.lost).filter(([, times]) => times > 0);
