@@ -8,10 +8,10 @@ import type { Details, SensorDetails, Vec3 } from "../wire";
 import type { Frames } from "./frames";
 import type { Shared } from "./light";
 import { Lines } from "./lines";
-import { add, rotate, scale, unit } from "./math";
+import { rotate, scale, unit } from "./math";
 
 const MOST_RAYS = 6000;
-const COLOURS = ["#ff4d6d", "#00b4d8", "#ffb703", "#9b5de5", "#43aa8b", "#f15bb5"];
+const COLOURS = ["#f03a5f", "#0099cf", "#e08600", "#9455e0", "#2f9e6e", "#dd4aa0"];
 
 /** Lengths of rays from a reading: its first column of metres, if it has as many rows as there are rays. */
 export function rayLengths(sensor: SensorDetails, rays: number): (number | null)[] | null {
@@ -38,6 +38,12 @@ export class Beams {
   private dots: THREE.Points<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private rays: Ray[] = [];
   private vehicle: number | null = null;
+  private quaternion = new THREE.Quaternion();
+  private from = new THREE.Vector3();
+  private to = new THREE.Vector3();
+  private a: Vec3 = [0, 0, 0];
+  private b: Vec3 = [0, 0, 0];
+  private rgba = new Uint8Array(4);
 
   constructor(
     private frames: Frames,
@@ -101,20 +107,24 @@ export class Beams {
     this.group.visible = place !== null;
     if (!place || this.vehicle === null) return;
     const turn = this.frames.turn(this.vehicle);
-    this.volumes.matrix.compose(new THREE.Vector3(...place), new THREE.Quaternion(turn[1], turn[2], turn[3], turn[0]), new THREE.Vector3(1, 1, 1));
+    this.volumes.matrix.makeRotationFromQuaternion(this.quaternion.set(turn[1], turn[2], turn[3], turn[0])).setPosition(place[0], place[1], place[2]);
     this.volumes.updateMatrixWorld(true);
     this.lines.clear();
     const dots = this.dots.geometry;
     const [at, colour] = [dots.getAttribute("position"), dots.getAttribute("colour")];
     let n = 0;
     const opacity = this.rays.length > 60 ? 90 : 220;
+    const { from, to, rgba } = this;
     for (const ray of this.rays) {
-      const from = add(place, rotate(turn, ray.from));
-      const to = add(from, scale(rotate(turn, ray.along), ray.length));
-      this.lines.add(from, to, [...ray.colour, ray.hit ? opacity : opacity * 0.4]);
+      from.set(ray.from[0], ray.from[1], ray.from[2]).applyMatrix4(this.volumes.matrix);
+      to.set(ray.along[0], ray.along[1], ray.along[2]).applyQuaternion(this.quaternion).multiplyScalar(ray.length).add(from);
+      rgba.set(ray.colour);
+      rgba[3] = ray.hit ? opacity : opacity * 0.4;
+      this.lines.add(from.toArray(this.a), to.toArray(this.b), rgba);
       if (!ray.hit) continue;
-      at.setXYZ(n, ...to);
-      (colour.array as Uint8Array).set([...ray.colour, 255], 4 * n);
+      at.setXYZ(n, to.x, to.y, to.z);
+      rgba[3] = 255;
+      (colour.array as Uint8Array).set(rgba, 4 * n);
       n++;
     }
     this.lines.set("uWidth", this.rays.length > 60 ? 0.5 : 1);
@@ -183,7 +193,7 @@ export class Beams {
   }
 
   private addVolume(sensor: SensorDetails, colour: THREE.Color, g: THREE.BufferGeometry, opacity: number): void {
-    const m = new THREE.MeshBasicMaterial({ color: colour, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide });
+    const m = new THREE.MeshBasicMaterial({ color: colour, transparent: true, opacity, depthWrite: false, side: THREE.DoubleSide, forceSinglePass: true });
     const mesh = new THREE.Mesh(g, m);
     mesh.renderOrder = 22;
     this.stand(mesh, sensor);

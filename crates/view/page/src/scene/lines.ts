@@ -94,6 +94,7 @@ export class Lines {
   private ends: THREE.InstancedBufferAttribute;
   private times: THREE.InstancedBufferAttribute;
   private colour: THREE.InstancedBufferAttribute;
+  private all: THREE.InstancedBufferAttribute[];
   private next = 0;
   private used = 0;
 
@@ -119,6 +120,7 @@ export class Lines {
     this.colour.setUsage(THREE.DynamicDrawUsage);
     g.setAttribute("colour", this.colour);
     g.instanceCount = 0;
+    this.all = [this.from, this.to, this.ends, this.times, this.colour];
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
@@ -167,20 +169,24 @@ export class Lines {
     const i = this.next;
     this.next = (this.next + 1) % this.capacity;
     this.used = Math.min(this.used + 1, this.capacity);
-    const put = (to: THREE.InstancedBufferAttribute, end: 0 | 1, x: ArrayLike<number> | number): void => {
-      const ends = this.ends.array;
-      if (typeof x === "number") ends[2 * i + end] = x;
-      else {
-        ends[2 * i + end] = -1;
-        for (let k = 0; k < 3; k++) to.array[3 * i + k] = x[k]!;
-      }
-    };
-    put(this.from, 0, a);
-    put(this.to, 1, b);
+    this.put(this.from.array, 3 * i, 2 * i, a);
+    this.put(this.to.array, 3 * i, 2 * i + 1, b);
     this.times.array[2 * i] = t0;
     this.times.array[2 * i + 1] = t1;
     this.recolour(i, rgba);
     return i;
+  }
+
+  /** One end: a place, or the number of a vehicle. */
+  private put(places: THREE.TypedArray, at: number, end: number, x: ArrayLike<number> | number): void {
+    if (typeof x === "number") {
+      this.ends.array[end] = x;
+      return;
+    }
+    this.ends.array[end] = -1;
+    places[at] = x[0]!;
+    places[at + 1] = x[1]!;
+    places[at + 2] = x[2]!;
   }
 
   recolour(i: number, rgba: ArrayLike<number>): void {
@@ -189,7 +195,7 @@ export class Lines {
 
   /** Sends what was added, from slot `first` on, `n` of them round the ring; all without numbers. */
   flush(first = 0, n = this.capacity): void {
-    for (const a of [this.from, this.to, this.ends, this.times, this.colour]) {
+    for (const a of this.all) {
       if (n < this.capacity) {
         const end = first + n;
         a.addUpdateRange(first * a.itemSize, (Math.min(end, this.capacity) - first) * a.itemSize);

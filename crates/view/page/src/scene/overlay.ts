@@ -19,6 +19,8 @@ export interface OverlayInput {
   names: string[];
   labels: boolean;
   selected: number | null;
+  /** Under the pointer. */
+  hovered: number | null;
   /** A CSS pixel at the target, m. */
   pixel_m: number;
   flat: boolean;
@@ -60,6 +62,7 @@ export class Overlay {
     c.textBaseline = "middle";
     c.lineJoin = "round";
     const taken: [number, number, number, number][] = [];
+    if (input.hovered !== null && input.hovered !== input.selected) this.ring(c, input, input.hovered);
     if (input.selected !== null) this.marker(c, input, input.selected, taken);
     if (input.labels) this.labels(c, input, taken);
     if (input.grid) this.scale(c, input);
@@ -98,6 +101,21 @@ export class Overlay {
       this.widths.set(text, (w = c.measureText(text).width));
     }
     return w;
+  }
+
+  /** Around what is pointed at. */
+  private ring(c: CanvasRenderingContext2D, input: OverlayInput, i: number): void {
+    if (!input.frames.read(i, this.spot)) return;
+    const at = project(input.view, this.spot, input.width, input.height);
+    if (!at) return;
+    const r = Math.max(10, Math.min(input.radius_px(i, depthOf(input.view, this.spot)) * 1.2 + 4, 160));
+    for (const [width, colour] of [[4, this.paper(0.7)], [1.5, this.ink()]] as const) {
+      c.lineWidth = width;
+      c.strokeStyle = colour;
+      c.beginPath();
+      c.arc(at.x, at.y, r, 0, 2 * Math.PI);
+      c.stroke();
+    }
   }
 
   private marker(c: CanvasRenderingContext2D, input: OverlayInput, i: number, taken: [number, number, number, number][]): void {

@@ -21,11 +21,15 @@ export interface Pointed {
   worldShown(): boolean;
   /** The radius of a vehicle on the screen at clip depth `w`, CSS pixels. */
   radius_px(i: number, w: number): number;
+  /** Another vehicle, or none, is pointed at. */
+  changed(): void;
 }
 
 export class Pointing {
   private at: { x: number; y: number } | null = null;
   private timer = 0;
+  /** The vehicle under the pointer. */
+  vehicle: number | null = null;
   private told: string | null = null;
   private spot = new Float64Array(3);
 
@@ -54,6 +58,9 @@ export class Pointing {
     if (this.timer !== 0) return;
     this.timer = window.setTimeout(() => {
       this.timer = 0;
+      const before = this.vehicle;
+      this.vehicle = this.at ? this.vehicleAt(this.at.x, this.at.y) : null;
+      if (this.vehicle !== before) this.to.changed();
       this.tell(this.at ? this.nameAt(this.at.x, this.at.y) : null);
     }, HOVER_MS);
   }
@@ -75,7 +82,7 @@ export class Pointing {
 
   private nameAt(x: number, y: number): string | null {
     const { hello } = this.options;
-    const vehicle = this.vehicleAt(x, y);
+    const { vehicle } = this;
     this.to.host.style.cursor = vehicle === null ? "" : "pointer";
     if (vehicle !== null) return `${hello.vehicles.paths[vehicle]} · ${hello.vehicles.kinds[vehicle]}`;
     if (!this.to.worldShown()) return null;

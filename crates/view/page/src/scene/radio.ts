@@ -55,13 +55,13 @@ export class Radio {
     // The strongest, if there are too many; and the more there are, the fainter each.
     const shown = whole.length > MOST_LINKS ? [...whole].sort((a, b) => b[2] - a[2]).slice(0, MOST_LINKS) : whole;
     const crowd = clamp(1.2 - 0.15 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
-    for (const [from, to, rssi, share] of shown) {
-      const s = strength(rssi);
-      const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(share, 0, 1)) * crowd;
+    for (const link of shown) {
+      const s = strength(link[2]);
+      const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(link[3], 0, 1)) * crowd;
       const at = 3 * Math.round(255 * s);
       for (let k = 0; k < 3; k++) this.rgba[k] = colours[at + k]!;
       this.rgba[3] = Math.round(255 * opacity);
-      this.links.add(from, to, this.rgba);
+      this.links.add(link[0], link[1], this.rgba);
     }
     this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);
     this.links.flush();

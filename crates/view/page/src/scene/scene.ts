@@ -105,7 +105,7 @@ class Scene implements SceneView {
     this.sky = new Sky(stage.plane, this.shared, this.grid);
     this.world = new World(hello, this.shared, this.textures, { ...this.grid, ...this.tone });
     this.vehicles = new Vehicles(hello, this.frames, this.shared);
-    this.trails = new Trails(this.frames, this.shared, (i) => this.paint.colour(i));
+    this.trails = new Trails(this.frames, this.shared, this.paint.bytes);
     this.radio = new Radio(this.frames, this.shared);
     this.sight = new Sight(this.orbit, this.frames, this.world, hello.vehicles.radii_m);
     this.beams = new Beams(this.frames, this.shared, () => this.sight.reach * 4);
@@ -129,7 +129,9 @@ class Scene implements SceneView {
       world: this.world,
       view: this.view.elements,
       worldShown: () => this.layers.world,
-      radius_px: (i, w) => this.radius_px(i, w),
+      radius_px: this.radiusOf,
+      // Only what is written over the picture is drawn anew.
+      changed: () => this.drawOver(),
     });
     this.ends.push(
       listen(canvas, this.orbit, {
@@ -368,6 +370,7 @@ class Scene implements SceneView {
       names: this.options.hello.vehicles.paths,
       labels: this.layers.labels,
       selected: this.selected,
+      hovered: this.pointing.vehicle,
       pixel_m: this.orbit.pixel(),
       flat: this.orbit.isFlat(),
       grid: this.layers.grid,

@@ -11,6 +11,8 @@ const MOST_VEHICLES = 500;
 const SECONDS = 10;
 const LEAST_POINTS = 30;
 const MOST_POINTS = 75;
+/** Of a trail where it is newest, 0 to 255. */
+const OPACITY = 215;
 
 export class Trails {
   readonly lines: Lines;
@@ -19,16 +21,23 @@ export class Trails {
   private own: Lines;
   private ownHead: Lines;
   private who: number[];
-  private last: Float64Array;
+  private all: Lines[];
+  /** The last point of each trail, and when it was there, s; below 0: there is none. */
+  private points: Float64Array[];
+  private times: Float64Array;
   private lastTime = NaN;
   private period = 0;
   private selected: number | null = null;
-  private selectedLast: [number, number, number, number] | null = null;
+  private ownLast = new Float64Array(3);
+  private ownTime = -1;
+  private spot = new Float64Array(3);
+  private colour = new Uint8Array(4);
 
   constructor(
     private frames: Frames,
     shared: Shared,
-    private colourOf: (vehicle: number) => [number, number, number],
+    /** Red, green, blue, opacity of each vehicle, as it is painted now. */
+    private colours: Uint8Array,
   ) {
     const n = frames.count;
     this.who = n <= MOST_VEHICLES ? Array.from({ length: n }, (_, i) => i) : [];
@@ -37,17 +46,20 @@ export class Trails {
     this.heads = new Lines(Math.max(1, this.who.length), frames, shared, { width_px, fade_s: SECONDS, order: 8 });
     this.own = new Lines(4000, frames, shared, { width_px: 3.4, fade_s: SECONDS, order: 9 });
     this.ownHead = new Lines(1, frames, shared, { width_px: 3.4, fade_s: SECONDS, order: 9 });
-    this.last = new Float64Array(this.who.length * 4);
+    this.all = [this.lines, this.heads, this.own, this.ownHead];
+    this.points = this.who.map(() => new Float64Array(3));
+    this.times = new Float64Array(this.who.length).fill(-1);
   }
 
   meshes(): Lines["mesh"][] {
-    return [this.lines, this.heads, this.own, this.ownHead].map((l) => l.mesh);
+    return this.all.map((l) => l.mesh);
   }
 
   clear(): void {
-    for (const l of [this.lines, this.heads, this.own, this.ownHead]) l.clear();
+    for (const l of this.all) l.clear();
+    this.times.fill(-1);
     this.lastTime = NaN;
-    this.selectedLast = null;
+    this.ownTime = -1;
   }
 
   select(vehicle: number | null): void {
@@ -55,7 +67,7 @@ export class Trails {
     this.selected = vehicle;
     this.own.clear();
     this.ownHead.clear();
-    this.selectedLast = null;
+    this.ownTime = -1;
   }
 
   /** After frames have changed: `a` has been passed. */
@@ -66,35 +78,36 @@ export class Trails {
     if (!first) this.period = a.time - this.lastTime;
     if (!first && this.period < this.seconds() / MOST_POINTS) return;
     this.lastTime = a.time;
+    const { who, points, times, spot } = this;
     let start = -1;
     let added = 0;
-    for (let k = 0; k < this.who.length; k++) {
-      const i = this.who[k]!;
-      const p = this.pointOf(a, i);
-      if (!p) continue;
-      if (!first && this.last[4 * k + 3]! > 0) {
-        const slot = this.lines.add(this.last.subarray(4 * k, 4 * k + 3), p, this.rgba(i), this.last[4 * k + 3]! - 1, a.time);
+    this.heads.clear();
+    for (let k = 0; k < who.length; k++) {
+      const i = who[k]!;
+      if (!this.read(a, i)) continue;
+      const before = points[k]!;
+      this.rgba(i, OPACITY);
+      if (!first && times[k]! >= 0) {
+        const slot = this.lines.add(before, spot, this.colour, times[k]!, a.time);
         if (start < 0) start = slot;
         added++;
       }
-      this.last.set([...p, a.time + 1], 4 * k);
+      before.set(spot);
+      times[k] = a.time;
+      this.heads.add(before, i, this.colour, a.time, a.time + this.period);
     }
     if (added > 0) this.lines.flush(start, added);
-    const head = this.who.length > 0;
-    if (head) {
-      this.heads.clear();
-      this.who.forEach((i, k) => this.heads.add(this.last.subarray(4 * k, 4 * k + 3), i, this.rgba(i), a.time, a.time + this.period));
-      this.heads.flush();
-    }
+    if (who.length > 0) this.heads.flush();
     this.ownPassed(a);
   }
 
   /** Before each picture. */
   update(): void {
     const now = this.frames.time();
-    for (const l of [this.lines, this.heads, this.own, this.ownHead]) {
+    const fade = this.seconds();
+    for (const l of this.all) {
       l.set("uNow", now);
-      l.set("uFade", this.seconds());
+      l.set("uFade", fade);
     }
     // The head ends where the vehicle is: its time is now, whatever the picture's fraction.
     this.heads.set("uNow", this.lastTime + this.period);
@@ -102,21 +115,19 @@ export class Trails {
   }
 
   dispose(): void {
-    for (const l of [this.lines, this.heads, this.own, this.ownHead]) l.dispose();
+    for (const l of this.all) l.dispose();
   }
 
   private ownPassed(a: Frame): void {
     const i = this.selected;
-    const p = i === null ? null : this.pointOf(a, i);
-    if (i === null || !p) return;
-    const before = this.selectedLast;
-    if (before) {
-      const slot = this.own.add(before.slice(0, 3), p, [...this.colourOf(i), 255], before[3], a.time);
-      this.own.flush(slot, 1);
-    }
-    this.selectedLast = [p[0], p[1], p[2], a.time];
+    if (i === null || !this.read(a, i)) return;
+    this.rgba(i, 255);
+    const { spot, ownLast } = this;
+    if (this.ownTime >= 0) this.own.flush(this.own.add(ownLast, spot, this.colour, this.ownTime, a.time), 1);
+    ownLast.set(spot);
+    this.ownTime = a.time;
     this.ownHead.clear();
-    this.ownHead.add(p, i, [...this.colourOf(i), 255], a.time, a.time + this.period);
+    this.ownHead.add(ownLast, i, this.colour, a.time, a.time + this.period);
     this.ownHead.flush();
   }
 
@@ -124,13 +135,17 @@ export class Trails {
     return Math.max(SECONDS, LEAST_POINTS * this.period);
   }
 
-  private rgba(i: number): number[] {
-    return [...this.colourOf(i), 215];
+  private rgba(i: number, opacity: number): void {
+    const c = this.colours;
+    for (let k = 0; k < 3; k++) this.colour[k] = c[4 * i + k]!;
+    this.colour[3] = opacity;
   }
 
-  private pointOf(a: Frame, i: number): [number, number, number] | null {
-    if (i >= a.n) return null;
-    const p: [number, number, number] = [a.positions[3 * i]!, a.positions[3 * i + 1]!, a.positions[3 * i + 2]!];
-    return p.every(Number.isFinite) ? p : null;
+  /** Writes the place to `spot`; whether there is one. */
+  private read(a: Frame, i: number): boolean {
+    if (i >= a.n) return false;
+    const { spot } = this;
+    for (let k = 0; k < 3; k++) spot[k] = a.positions[3 * i + k]!;
+    return Number.isFinite(spot[0]! + spot[1]! + spot[2]!);
   }
 }
