@@ -72,7 +72,7 @@
 //! | poses and twists | 49 | 83 |
 //! | poses only | 30 | 60 |
 //!
-//! What is said once: the world, 10 to 50 bytes a primitive and up to 160 kB of points; 20 bytes a solid of the URDF; of each vehicle some 50 bytes
+//! What is said once: the world, 10 to 50 bytes a primitive and up to 160 kB of points; 10 bytes a solid of the URDF; of each vehicle some 50 bytes
 //! before compression.
 //!
 //! 10,000 bees once a second make 35 MB a minute; 1,000 bees at 10 Hz make 2.1 GB an hour. The
