@@ -277,6 +277,7 @@ impl Physics {
                 self.member_changed(id, t);
             }
         }
+        self.wake_overloaded(t);
         self.queue_steps();
     }
 

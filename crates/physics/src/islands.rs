@@ -15,7 +15,8 @@
 //!   has touched nothing for four steps flies on freely.
 //! - **Rest.** A group that touch one another and have all been still for half a second are put to rest:
 //!   their segments stand, their island has no next step, and no world. It wakes when one of them
-//!   changes, or is joined.
+//!   moves, or is joined, or when what acts on them becomes more than the points they rest on can bear
+//!   (`rest`): a gust that moves nothing wakes nobody.
 //! - **Nothing but its own history** goes into an island: the order of its members is that of their ids,
 //!   and it shares no state with another.
 //!
@@ -29,8 +30,10 @@ use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
+use crate::rest::{self, Bearing, Rester};
 use crate::rotation;
 use crate::shape::form::Place;
+use crate::stepping::STILL_S;
 use glam::DVec3;
 use rapier3d_f64::dynamics::RigidBodyHandle;
 use simbeeotic_kernel::SimTime;
@@ -64,6 +67,10 @@ pub(crate) struct Member {
     pub(crate) scope: [DVec3; 2],
     /// For how long it has been still, s.
     pub(crate) still_s: f64,
+    /// Where it has been since, but for a swaying that is no farther than one who is still may get,
+    pub(crate) anchor: Place,
+    /// and for how long, s.
+    pub(crate) stay_s: f64,
     /// Its segment stands.
     pub(crate) resting: bool,
     /// Steps since it touched something.
@@ -82,6 +89,11 @@ impl Member {
             },
             scope: [DVec3::INFINITY, DVec3::NEG_INFINITY],
             still_s: 0.0,
+            anchor: Place {
+                p: DVec3::ZERO,
+                q: glam::DQuat::IDENTITY,
+            },
+            stay_s: 0.0,
             resting: false,
             alone: 0,
         }
@@ -92,8 +104,14 @@ impl Member {
         self.body = None;
         self.scope = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         self.still_s = 0.0;
+        self.stay_s = 0.0;
         self.resting = false;
         self.alone = 0;
+    }
+
+    /// Whether it may be at rest: it has been still, or swayed about one place and is still now.
+    pub(crate) fn stays(&self) -> bool {
+        self.resting || self.stay_s >= STILL_S && self.still_s > 0.0
     }
 
     /// Whether somebody else has begun a new segment.
@@ -101,10 +119,14 @@ impl Member {
         self.led.is_none_or(|led| led.motion.stamp != motion.stamp)
     }
 
-    /// Whether somebody else has begun a new segment that says something new: a control law may say
-    /// again what held already.
-    pub(crate) fn changes(&self, motion: &Motion) -> bool {
+    /// Whether somebody else has moved it, or changed how it moves.
+    pub(crate) fn moved(&self, motion: &Motion) -> bool {
         self.changed(motion) && !self.led.is_some_and(|led| follows(&led.motion, motion))
+    }
+
+    /// Whether somebody else lets something else act on it: a control law may say again what held already.
+    pub(crate) fn pushed(&self, motion: &Motion) -> bool {
+        self.changed(motion) && !self.led.is_some_and(|led| alike(&led.motion, motion))
     }
 
     /// How it moves at `t`: as the world says, and as its segment was changed since.
@@ -153,9 +175,23 @@ pub(crate) struct Island {
     pub(crate) cut: bool,
     /// Somebody has come to rest since it was last asked who rests together.
     pub(crate) settling: bool,
+    /// At rest: the points that its members rest on.
+    pub(crate) bearings: Vec<Bearing>,
+    /// At rest: something else acts on a member, and whether the points bear it is to be asked.
+    asked: bool,
+    /// Whether somebody can rest under what acts on it is not asked again before.
+    pub(crate) doubtful_until: SimTime,
 }
 
 impl Island {
+    /// An island of these, which are sorted by id.
+    pub(crate) fn of(members: impl Iterator<Item = Member>) -> Self {
+        Self {
+            members: members.collect(),
+            ..Self::default()
+        }
+    }
+
     /// The member by which the island is known: that with the lowest id.
     pub(crate) fn key(&self) -> u32 {
         self.members.first().map_or(NOWHERE, |member| member.id)
@@ -165,6 +201,28 @@ impl Island {
         self.members
             .binary_search_by_key(&id, |member| member.id)
             .ok()
+    }
+
+    /// Whether the points that its members rest on bear what acts on them.
+    pub(crate) fn bears(&mut self, motions: &[Motion], upright: impl Fn(u32) -> bool) -> bool {
+        let rester = |member: &Member| {
+            let motion = &motions[member.id as usize];
+            let turns = !upright(member.id);
+            Rester {
+                inverse_mass: motion.inverse_mass,
+                inverse_inertia: if turns {
+                    motion.inverse_inertia()
+                } else {
+                    DVec3::ZERO
+                },
+                attitude: motion.q,
+                radius: motion.radius_m(),
+                linear: motion.a,
+                torque: motion.torque(),
+            }
+        };
+        let resters: Vec<Rester> = self.members.iter().map(rester).collect();
+        rest::bears(&mut self.bearings, &resters)
     }
 
     /// Gives up the world; the next step makes a new one.
@@ -183,6 +241,7 @@ impl Island {
         self.members.sort_by_key(|member| member.id);
         self.touches.append(&mut other.touches);
         self.touches.sort_unstable();
+        self.bearings.clear();
     }
 }
 
@@ -194,6 +253,8 @@ pub(crate) struct Islands {
     /// The slot of each body's island.
     places: Vec<u32>,
     due: Vec<(SimTime, u32)>,
+    /// Islands at rest on whose members something else acts.
+    asked: Vec<u32>,
     pub(crate) step_ns: u64,
     pub(crate) solver_iterations: usize,
 }
@@ -206,6 +267,7 @@ impl Islands {
             vacant: Vec::new(),
             places: Vec::new(),
             due: Vec::new(),
+            asked: Vec::new(),
             step_ns,
             solver_iterations,
         }
@@ -335,12 +397,23 @@ impl Islands {
 
     /// The island in `slot` has its next step at `t`.
     fn wake(&mut self, slot: u32, t: SimTime) {
-        self.slots[slot as usize].next = Some(t);
+        let island = &mut self.slots[slot as usize];
+        island.next = Some(t);
+        island.bearings.clear();
         self.announce(slot);
     }
 
+    /// Something else acts on a member of an island at rest.
+    fn ask(&mut self, slot: u32) {
+        let island = &mut self.slots[slot as usize];
+        if !std::mem::replace(&mut island.asked, true) {
+            self.asked.push(slot);
+        }
+    }
+
     /// Two islands become one: the one without a world, else the smaller, else that of the least
-    /// origin goes into the other, whose slot is returned.
+    /// origin goes into the other, whose slot is returned. The next step of the two is the earlier one: nobody
+    /// is led on beyond the step that was computed.
     fn merge(&mut self, a: u32, b: u32, origins: &[u64]) -> u32 {
         let rank = |slot: u32| {
             let island = &self.slots[slot as usize];
@@ -354,7 +427,14 @@ impl Islands {
         for member in &other.members {
             self.places[member.id as usize] = stays;
         }
-        self.slots[stays as usize].absorb(other);
+        let island = &mut self.slots[stays as usize];
+        if let (Some(next), Some(earlier)) = (island.next, other.next)
+            && earlier < next
+        {
+            island.next = Some(earlier);
+            island.cut = true;
+        }
+        island.absorb(other);
         stays
     }
 }
@@ -413,14 +493,33 @@ impl Physics {
             return;
         }
         if island.next.is_none() {
-            if same(&led.motion, motion) {
-                led.motion.stamp = motion.stamp;
-            } else {
+            if !in_place(&led.motion, motion) {
                 self.islands.wake(slot, t);
+            } else if alike(&led.motion, motion) {
+                led.motion.stamp = motion.stamp;
+            } else if island.bearings.is_empty() {
+                self.islands.wake(slot, t);
+            } else {
+                led.motion = *motion;
+                self.islands.ask(slot);
             }
-        } else if member.body.is_some() && astray(led, motion, t) > ASTRAY * motion.radius_m() {
+        } else if astray(led, motion, t) > ASTRAY * motion.radius_m() {
             island.cut = true;
             self.islands.wake(slot, t);
+        }
+    }
+
+    /// Wakes islands at rest on which more acts at `t` than they bear.
+    pub(crate) fn wake_overloaded(&mut self, t: SimTime) {
+        while let Some(slot) = self.islands.asked.pop() {
+            let mut island = self.islands.lend(slot);
+            island.asked = false;
+            let sleeps = island.next.is_none() && !island.members.is_empty();
+            let bears = !sleeps || island.bears(&self.motions, |id| self.upright(id));
+            self.islands.slots[slot as usize] = island;
+            if !bears {
+                self.islands.wake(slot, t);
+            }
         }
     }
 
@@ -457,18 +556,21 @@ impl Physics {
     }
 }
 
-/// Whether two segments of a body at rest say the same.
-fn same(a: &Motion, b: &Motion) -> bool {
-    (a.p, a.q, a.v, a.w, a.a, a.torque) == (b.p, b.q, b.v, b.w, b.a, b.torque)
+/// Whether two segments of a body at rest have it in one place.
+fn in_place(a: &Motion, b: &Motion) -> bool {
+    (a.p, a.q, a.v, a.w) == (b.p, b.q, b.v, b.w)
 }
 
-/// Whether a later segment goes on as the one before, up to rounding: the same acts on the body, and it
-/// is where it would be.
+/// Whether the same acts on a body in two segments.
+fn alike(a: &Motion, b: &Motion) -> bool {
+    (a.a, a.torque) == (b.a, b.torque)
+}
+
+/// Whether a later segment goes on as the one before, up to rounding: the body is where it would be.
 fn follows(before: &Motion, later: &Motion) -> bool {
     const ROUNDING: f64 = 1e-9;
     let t = later.start();
-    (before.a, before.torque) == (later.a, later.torque)
-        && before.position(t).distance(later.p) < ROUNDING
+    before.position(t).distance(later.p) < ROUNDING
         && before.velocity(t).distance(later.v) < ROUNDING
         && before.rate(t).distance(later.w) < ROUNDING
         && rotation::turn_between(before.attitude(t), later.q).length() < ROUNDING

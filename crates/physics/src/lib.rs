@@ -61,7 +61,7 @@
 //! 3. `root`, `approach`, `predict`: when two segments meet; `response`: what an impact does;
 //! 4. `grid`, `lists`: who might meet whom; `tree`, `statics`, `walls`: what stands in the way;
 //!    `encounters`: the few pairs that must be remembered;
-//! 5. `island`, `islands`, `stepping`: lasting contact;
+//! 5. `island`, `islands`, `stepping`, `rest`: lasting contact;
 //! 6. `queue`, `foresee`, `events`, `physics`: all bodies, through time; `queries`: rays and neighbours, `fan`:
 //!    many rays at once.
 
@@ -87,6 +87,7 @@ mod predict;
 mod queries;
 mod queue;
 mod response;
+mod rest;
 mod root;
 mod rotation;
 mod shape;

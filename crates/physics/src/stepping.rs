@@ -2,12 +2,13 @@
 
 use crate::body::{BodyId, Material, Mobility, group};
 use crate::contact::Contact;
-use crate::island::{REACH_M, Role, Surface, Sweep, Touch, World};
+use crate::island::{LoadedPoint, REACH_M, Role, Surface, Sweep, Touch, World};
 use crate::islands::{Island, Led, Member};
 use crate::limits::NEWS_SPEED_M_S;
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
+use crate::rest::Bearing;
 use crate::rotation;
 use crate::shape::form::Place;
 use glam::DVec3;
@@ -16,7 +17,9 @@ use simbeeotic_kernel::SimTime;
 /// A member that has touched nothing for so many steps leaves.
 const ALONE_STEPS: u32 = 4;
 /// A member that has been still for so long rests, s.
-const STILL_S: f64 = 0.5;
+pub(crate) const STILL_S: f64 = 0.5;
+/// Who could not be shown to rest under what acts on it is not looked at again for so long.
+const DOUBT_NS: u64 = 500_000_000;
 /// Still is what moves slower than this, m/s,
 const STILL_SPEED_M_S: f64 = 1e-3;
 /// and turns slower than this, rad/s.
@@ -94,32 +97,76 @@ impl Physics {
                 groups.unite(a, b);
             }
         }
-        let resting = |member: &Member| {
+        let stays = |member: &Member| {
             let motion = &self.motions[member.id as usize];
-            member.resting && (driven(motion) || !member.changes(motion))
+            member.stays()
+                && if driven(motion) {
+                    stands(motion)
+                } else {
+                    !member.moved(motion)
+                }
+        };
+        // Who has been still while the same acted on it rests, who has not gone anywhere if that is borne.
+        let even = |member: &Member| {
+            let motion = &self.motions[member.id as usize];
+            member.resting && (driven(motion) || !member.pushed(motion))
         };
         let mut rests = vec![true; island.members.len()];
+        let mut evens = vec![true; island.members.len()];
         for (place, member) in island.members.iter().enumerate() {
-            rests[groups.root(place)] &= resting(member);
+            let root = groups.root(place);
+            rests[root] &= stays(member);
+            evens[root] &= even(member);
         }
+        let mut resters = std::collections::BTreeMap::<usize, Vec<usize>>::new();
+        for place in 0..island.members.len() {
+            let root = groups.root(place);
+            if rests[root] && (evens[root] || t >= island.doubtful_until) {
+                resters.entry(root).or_default().push(place);
+            }
+        }
+        if resters.is_empty() {
+            return Vec::new();
+        }
+        let points = island
+            .world
+            .as_ref()
+            .map_or_else(Vec::new, |world| world.loaded_points());
         let mut sleepers = std::collections::BTreeMap::<usize, Island>::new();
+        for (root, places) in resters {
+            let bearings = bearings(island, &points, &places);
+            let mut sleeper = Island::of(places.iter().map(|place| island.members[*place].clone()));
+            sleeper.bearings = bearings;
+            if evens[root] || sleeper.bears(&self.motions, |id| self.upright(id)) {
+                sleeper.members.clear();
+                sleepers.insert(root, sleeper);
+            } else {
+                island.doubtful_until = t.saturating_add_nanos(DOUBT_NS);
+            }
+        }
         let members = std::mem::take(&mut island.members);
         for (place, mut member) in members.into_iter().enumerate() {
-            let root = groups.root(place);
-            if !rests[root] {
+            let Some(sleeper) = sleepers.get_mut(&groups.root(place)) else {
                 island.members.push(member);
                 continue;
-            }
+            };
             if let (Some(world), Some(body)) = (&mut island.world, member.body) {
                 world.remove(body);
             }
+            let motion = &mut self.motions[member.id as usize];
+            if !member.resting && !driven(motion) {
+                let from = motion.position(t);
+                motion.lead(t, DVec3::ZERO, DVec3::ZERO);
+                motion.stamp = motion.stamp.wrapping_add(1);
+                self.odometer.changed(from, motion, t);
+            }
             member.detach();
             member.led = Some(Led {
-                motion: self.motions[member.id as usize],
+                motion: *motion,
                 span: [t; 2],
                 sweeps: [Sweep::default(); 2],
             });
-            sleepers.entry(root).or_default().members.push(member);
+            sleeper.members.push(member);
         }
         if !sleepers.is_empty() {
             let island = &mut *island;
@@ -148,7 +195,8 @@ impl Physics {
                 world.drive(body, motion.place(end));
             }
         }
-        world.step(dt_s);
+        let pace = self.pace(island, &before, dt_s);
+        world.step(dt_s, pace * dt_s);
 
         let mut touches = Vec::new();
         world.touches(&mut touches);
@@ -168,11 +216,26 @@ impl Physics {
                 self.odometer.changed(from, motion, t);
                 changed.push(member.id);
             }
-            island.settling |= member.resting;
+            island.settling |= member.stays();
         }
         island.world = Some(world);
         island.cut = false;
         island.next = Some(end);
+    }
+
+    /// How fast a point of the fastest member moves, m/s; no member counts as faster than would take it its
+    /// own radius in a step.
+    fn pace(&self, island: &Island, sweeps: &[Sweep], dt_s: f64) -> f64 {
+        let paces = island.members.iter().zip(sweeps).map(|(member, sweep)| {
+            let radius = self.motions[member.id as usize].radius_m();
+            let turning = if self.form(member.id).ball().is_some() {
+                0.0
+            } else {
+                sweep.w.length() * radius
+            };
+            (sweep.v.length() + turning).min(radius / dt_s)
+        });
+        paces.fold(0.0, f64::max)
     }
 
     /// Friction against the spin of a ball about the normal of its contact, which a point would not have:
@@ -267,7 +330,7 @@ impl Physics {
                 member.at = at;
                 continue;
             };
-            let (changed, news) = (member.changed(motion), member.changes(motion));
+            let changed = member.changed(motion);
             if driven(motion) {
                 if displaced(member.at, at) {
                     world.set_place(body, at);
@@ -282,7 +345,11 @@ impl Physics {
                 }
                 world.set_sweep(body, sweep);
             }
-            if news {
+            let moved = member.moved(motion);
+            if moved {
+                member.stay_s = 0.0;
+            }
+            if moved || member.pushed(motion) {
                 member.still_s = 0.0;
                 member.resting = false;
             }
@@ -342,7 +409,7 @@ impl Physics {
     }
 
     /// Whether a body stands on whatever it touches, as on landing gear, and does not turn.
-    fn upright(&self, id: u32) -> bool {
+    pub(crate) fn upright(&self, id: u32) -> bool {
         self.form(id).ball().is_some() && self.duties[id as usize] & duty::ROLLS == 0
     }
 
@@ -418,6 +485,14 @@ impl Step<'_> {
     }
 
     fn age(&self, member: &mut Member, still: bool) {
+        let (at, anchor) = (member.at, member.anchor);
+        let near = at.p.distance(anchor.p) < STILL_SPEED_M_S * STILL_S
+            && rotation::turn_between(anchor.q, at.q).length() < STILL_RATE_RAD_S * STILL_S;
+        if near {
+            member.stay_s += self.dt_s;
+        } else {
+            (member.anchor, member.stay_s) = (at, 0.0);
+        }
         member.still_s = if still {
             member.still_s + self.dt_s
         } else {
@@ -432,6 +507,28 @@ impl Step<'_> {
             sweeps: [self.before, after],
         });
     }
+}
+
+/// The points that the members at `places` (ascending) rest on, of all that bore a load.
+fn bearings(island: &Island, points: &[LoadedPoint], places: &[usize]) -> Vec<Bearing> {
+    let bearing = |point: &LoadedPoint| {
+        let (a, b) = point.pair;
+        let place = |id: u32| {
+            let place = island.position(id)?;
+            let at = places.binary_search(&place).ok()?;
+            Some((at, point.point - island.members[place].at.p))
+        };
+        let (a, b) = (place(a), place(b));
+        (a.is_some() || b.is_some()).then(|| Bearing {
+            sides: [a, b].map(|side| side.map(|(at, _)| at)),
+            arms: [a, b].map(|side| side.map_or(DVec3::ZERO, |(_, arm)| arm)),
+            normal: point.normal,
+            friction: point.friction,
+            along: point.along,
+            across: DVec3::ZERO,
+        })
+    };
+    points.iter().filter_map(bearing).collect()
 }
 
 /// Reports touches that begin in a step from `t` on, and keeps in mind which there are.

@@ -16,6 +16,7 @@ mod piles;
 mod properties;
 mod queries;
 mod refusal;
+mod rest;
 mod rotation;
 mod shapes;
 mod slide;

@@ -53,6 +53,22 @@ proptest! {
     }
 }
 
+/// Piles in which a body that lay on the ground was once driven millimetres into it within a step: in the first
+/// by a member of its island that another one hit; in the second its island went up in one whose next step
+/// was later.
+#[test]
+fn nobody_is_driven_into_the_ground_by_who_hits_it() {
+    for (seed, count, restitution) in [(654, 57, 0.0), (1390, 97, 0.6)] {
+        let mut physics = pile(count, &format!("pile {seed}"), restitution);
+        for step in 1..=600 {
+            let t = seconds(0.001 * f64::from(step));
+            run(&mut physics, t);
+            let depth = sunk(&physics, t);
+            assert!(depth < SLOP_M, "pile {seed}: {depth} m at {t}");
+        }
+    }
+}
+
 #[test]
 fn a_stack_that_rests_is_no_news_and_costs_nothing() {
     let mut physics = on_ground(surface(0.5, 0.0));
