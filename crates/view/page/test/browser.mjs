@@ -132,20 +132,20 @@ export async function until(page, holds, argument) {
   await page.waitForFunction(holds, argument, { timeout: PATIENCE_MS });
 }
 
-/** Waits until nothing is drawn any more: what stands costs nothing. */
-export async function rest(page) {
-  await page.evaluate(() => (window.before = ""));
+/** Waits until nothing is drawn any more, for twice a time: what stands costs nothing. */
+export async function rest(page, polling = 600) {
+  await page.evaluate(() => (window.before = ["", ""]));
   await page.waitForFunction(
     () => {
       const { place, stats } = window.simbeeotic;
       const now = JSON.stringify([place().camera, stats().drawn]);
-      const same = window.before === now;
-      window.before = now;
+      const same = window.before.every((it) => it === now);
+      window.before = [window.before[1], now];
       return same;
     },
     null,
     // Longer than a picture waits for its finer successor.
-    { polling: 600, timeout: PATIENCE_MS },
+    { polling, timeout: PATIENCE_MS },
   );
 }
 

@@ -29,7 +29,7 @@ export function marksList(run: Run): HTMLElement {
     dot.style.background = `var(${markColour(mark.kind)})`;
     return h(
       "button",
-      { type: "button", role: "listitem", class: mine ? "row two mine" : "row two", on: { click: () => go(mark) } },
+      { type: "button", class: mine ? "row two mine" : "row two", on: { click: () => go(mark) } },
       h("span", { class: "first" },
         dot,
         h("span", { class: "cut", text: names.join(", ") || mark.kind }),

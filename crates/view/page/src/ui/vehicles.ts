@@ -121,7 +121,6 @@ function finderBox(run: Run): Finder {
       "button",
       {
         type: "button",
-        role: "listitem",
         class: index === at && input.value !== "" ? "row at" : "row",
         "aria-current": vehicle === run.selected.value ? "true" : undefined,
         on: { click: () => choose(vehicle) },

@@ -12,7 +12,7 @@ export interface VirtualList {
 /** `row` makes row number `index`; its height is `height_rem`. */
 export function virtualList(label: string, height_rem: number, row: (index: number) => HTMLElement): VirtualList {
   const space = h("div", { class: "rows" });
-  const element = h("div", { class: "list", role: "list", "aria-label": label, tabindex: "-1" }, space);
+  const element = h("div", { class: "list", role: "group", "aria-label": label, tabindex: "-1" }, space);
   let count = 0;
   const height = () => height_rem * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
   const draw = () => {
