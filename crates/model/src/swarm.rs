@@ -241,6 +241,7 @@ pub(crate) struct MailRoom(BTreeMap<(ModelId, u32), Message>);
 
 impl Swarm {
     /// The model's body, if it has one.
+    #[inline]
     pub(crate) fn body_of(&self, id: ModelId) -> Option<BodyId> {
         self.bodies.get(id.index()).copied().flatten()
     }

@@ -10,12 +10,13 @@ use crate::sees::SeesWhat;
 use crate::sensor::Taken;
 use crate::swarm::{Agent, Core, Mark, Swarm};
 use simbeeotic_kernel::{ModelId, SimTime};
-use simbeeotic_physics::{BodyError, Kind, Motion, Shape, Support};
+use simbeeotic_physics::{BodyError, Kind, Motion, Shape, State, Support};
 use simbeeotic_radio::{Channel, Counters, RadioId, RadioState};
 use simbeeotic_units::{
     Accel, Acceleration, Enu, Flu, Length, Mount, Pose, Position, Rate, Twist, Velocity, glam,
 };
 use simbeeotic_world::{Color, GasField, World};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The truth about a platform and its surroundings, from which a sensor makes a reading.
@@ -278,6 +279,11 @@ impl<'a> View<'a> {
         &self.swarm.world
     }
 
+    /// The world's objects, for another thread: they do not change.
+    pub fn shared_world(&self) -> Arc<World> {
+        Arc::clone(&self.swarm.world)
+    }
+
     /// What there is to be seen, for a picture of it.
     pub fn scene(&self) -> Scene<'a> {
         Scene {
@@ -321,6 +327,14 @@ impl<'a> View<'a> {
         Some(Velocity::from_si(motion.velocity(self.now)))
     }
 
+    /// Where a model's body is and how it moves, now: all of it at once, for those who ask for many bodies.
+    /// Each is looked up and evaluated once, in closed form; `None`: it has no body.
+    #[inline]
+    pub fn state(&self, id: ModelId) -> Option<State> {
+        let motion = self.swarm.physics.motion(self.swarm.body_of(id)?);
+        Some(motion.at(self.now))
+    }
+
     /// The radius of the sphere around a model's body.
     pub fn radius(&self, id: ModelId) -> Option<Length> {
         self.swarm.radius_of(id)
@@ -344,6 +358,11 @@ impl<'a> View<'a> {
     /// The wind at a place now.
     pub fn wind(&self, position: Position) -> Velocity<Enu> {
         self.swarm.weather.wind(position, self.now)
+    }
+
+    /// Whether there is no wind, anywhere and ever; see [`Weather::is_calm`](simbeeotic_world::Weather::is_calm).
+    pub fn is_calm(&self) -> bool {
+        self.swarm.weather.is_calm()
     }
 
     /// A model's battery now; `None` if it has none.

@@ -167,6 +167,7 @@ impl Motion {
 
     /// The state at `t`. Pure, and exact for every `t` from [`start`](Self::start) to the body's next
     /// change; before the start, the state at the start.
+    #[inline]
     #[must_use]
     pub fn at(&self, t: SimTime) -> State {
         let t = t.max(self.t0);

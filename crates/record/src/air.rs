@@ -117,6 +117,13 @@ pub struct Link {
     pub distance_m: f32,
 }
 
+impl Link {
+    /// The share of frames that were received, 0 to 1; NaN if there were none.
+    pub fn share(&self) -> f32 {
+        self.received as f32 / self.sent.max(self.received) as f32
+    }
+}
+
 impl Packet {
     pub(crate) fn pack(self) -> message::Packet {
         let [x, y, z] = self.position_m;
@@ -312,7 +319,8 @@ impl Recording {
         self.unpacked(Topic::Links, times_ns, Links::unpack)
     }
 
-    fn unpacked<M: prost::Message + Default, T>(
+    /// The messages of a topic at these virtual times, ns, as `unpack` makes them.
+    pub(crate) fn unpacked<M: prost::Message + Default, T>(
         &self,
         topic: Topic,
         times_ns: RangeInclusive<u64>,

@@ -2,23 +2,27 @@
 
 mod once;
 mod run;
+mod settings;
+
+pub use settings::{PrecisionChoice, RecorderParams};
 
 use crate::data::{
     Attachment, Event, LogEntry, LogLevel, Metric, Metrics, Picture, Reading, Sample,
 };
 use crate::radio::{self, Air};
 use crate::recorder::{Header, Precision, RecordError, RecordStats, Recorder};
+use crate::roster::vehicles_of;
 use crate::selection::selects;
+use crate::wind::Wind;
 use run::RunMetrics;
-use simbeeotic_model::check::positive;
+use settings::Clocks;
 use simbeeotic_model::kernel::{ModelId, SimTime};
 use simbeeotic_model::units::Time;
 use simbeeotic_model::{
     BuildError, Component, ComponentError, FromParams, Image, Mark, Note, Pixels, Summary, Taken,
-    Thing, View, choice, component, params,
+    Thing, View, component,
 };
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Records the run: poses and twists of all bodies at regular times, touches, log lines, metrics.
@@ -37,85 +41,17 @@ pub struct RecorderComponent {
     air: Option<Air>,
     clocks: Clocks,
     run: RunMetrics,
+    /// Whether there was wind when it was recorded last.
+    windy: bool,
     /// What the user should know at the end.
     notes: Vec<String>,
-}
-
-/// When the recorder looks at what.
-struct Clocks {
-    period_ns: u64,
-    radio_period_ns: u64,
-}
-
-/// Parameters of [`RecorderComponent`].
-#[params]
-pub struct RecorderParams {
-    /// The file to write. An older one is replaced.
-    pub path: PathBuf,
-    /// Virtual time between two records of all bodies. A body takes about 60 bytes each time (50
-    /// without points, 30 without twists), so 10,000 bodies once a second are 35 MB a virtual minute.
-    pub period: Time,
-    /// Whether velocities and body rates are recorded too.
-    pub twists: bool,
-    /// Whether positions are recorded once more, to 1 mm, as points in the vehicles' colours: Rerun and
-    /// Foxglove draw these as they are. Takes 9 bytes a body each time.
-    pub points: bool,
-    /// How many digits are kept: `fine` (1 um) or `full` (every bit).
-    pub precision: PrecisionChoice,
-    /// Whether touches, log lines and metrics are recorded.
-    pub events: bool,
-    /// Sensors whose readings are recorded, with the truth beside them: patterns for their paths,
-    /// such as `"bee-0/*"`, `"*/camera"`, `"*"` for all. None unless said. A reading of three numbers
-    /// takes about 40 bytes.
-    pub readings: Vec<String>,
-    /// Virtual time between two records of how many frames were sent, received and lost, and of how
-    /// well radios heard each other.
-    pub radio_period: Time,
-    /// Radios whose counters are recorded besides those of all together: patterns for their paths, such
-    /// as `"bee-0/*"`.
-    pub radios: Vec<String>,
-    /// Radios whose packets are recorded, and the links among them: patterns for their paths, `["*"]`
-    /// for all, `[]` for none. Unless said: all if there are at most 256 radios, else none. A packet
-    /// takes about 80 bytes, and 20 more for each radio that received it. Links are recorded for at most
-    /// 256 radios.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub packets: Option<Vec<String>>,
-}
-
-impl Default for RecorderParams {
-    fn default() -> Self {
-        Self {
-            path: PathBuf::from("run.mcap"),
-            period: Time::from_secs(1.0),
-            twists: true,
-            points: true,
-            precision: PrecisionChoice::Fine,
-            events: true,
-            readings: Vec::new(),
-            radio_period: Time::from_secs(1.0),
-            radios: Vec::new(),
-            packets: None,
-        }
-    }
-}
-
-/// How many digits a recording keeps.
-#[choice]
-pub enum PrecisionChoice {
-    /// Positions to 1 um, attitudes to 0.1 urad.
-    Fine,
-    /// Every bit of positions and attitudes.
-    Full,
 }
 
 impl FromParams for RecorderComponent {
     type Params = RecorderParams;
 
     fn from_params(params: RecorderParams) -> Result<Self, BuildError> {
-        let clocks = Clocks {
-            period_ns: nanos("period", params.period)?,
-            radio_period_ns: nanos("radio_period", params.radio_period)?,
-        };
+        let clocks = Clocks::new(&params)?;
         if params.path.as_os_str().is_empty() {
             return Err(BuildError::parameter("path", "must name a file"));
         }
@@ -127,6 +63,7 @@ impl FromParams for RecorderComponent {
             air: None,
             clocks,
             run: RunMetrics::default(),
+            windy: false,
             notes: Vec::new(),
         })
     }
@@ -148,20 +85,16 @@ impl Component for RecorderComponent {
         radio::wants(self.params.packets.as_deref(), radio, among)
     }
 
-    /// Both clocks tick at whole multiples of their periods.
     fn next_observation(&self, now: SimTime) -> Option<SimTime> {
-        let after = |period_ns: u64| {
-            let ticks = now.nanos() / period_ns + 1;
-            ticks.checked_mul(period_ns).map(SimTime::from_nanos)
-        };
-        let radio = self.air.as_ref();
-        let radio = radio.and_then(|_| after(self.clocks.radio_period_ns));
-        after(self.clocks.period_ns).into_iter().chain(radio).min()
+        self.clocks.next(now, self.air.is_some())
     }
 
     fn start(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
         self.bodies = view.bodies().collect();
         self.check_patterns(view)?;
+        if view.is_calm() {
+            self.clocks.wind_period_ns = None;
+        }
         self.air = Air::start(view, self.params.packets.as_deref(), &self.params.radios)?;
         let origin = view.origin();
         let (stage, textures, notes) = once::world(view);
@@ -179,7 +112,7 @@ impl Component for RecorderComponent {
             scenario: origin.scenario.clone(),
             notes: [("name".to_owned(), origin.name.clone())].into(),
             files,
-            vehicles: once::vehicles(view, &self.bodies),
+            vehicles: vehicles_of(view, &self.bodies),
             stage: Some(stage),
             models,
             twists: self.params.twists,
@@ -203,6 +136,10 @@ impl Component for RecorderComponent {
         if let Some(air) = &mut self.air {
             let whole = now_ns.is_multiple_of(self.clocks.radio_period_ns);
             record_air(recorder, view, air, whole, false).map_err(failed)?;
+        }
+        let wind = self.clocks.wind_period_ns;
+        if wind.is_some_and(|period_ns| now_ns.is_multiple_of(period_ns)) {
+            record_wind(recorder, view, &self.bodies, &mut self.windy).map_err(failed)?;
         }
         if !now_ns.is_multiple_of(self.clocks.period_ns) {
             return Ok(());
@@ -279,18 +216,6 @@ impl RecorderComponent {
                 )))
             }
         }
-    }
-}
-
-/// A period in whole nanoseconds, one at least.
-fn nanos(parameter: &'static str, period: Time) -> Result<u64, BuildError> {
-    positive(parameter, period)?;
-    match SimTime::from_time(period).map(SimTime::nanos) {
-        Ok(nanos) if nanos > 0 => Ok(nanos),
-        _ => Err(BuildError::parameter(
-            parameter,
-            "must be a nanosecond or more, and less than 584 years",
-        )),
     }
 }
 
@@ -382,17 +307,32 @@ fn record_batteries(
     Ok(Some(energy_j))
 }
 
+/// The wind around the swarm; that there is none any more is said once.
+fn record_wind(
+    recorder: &mut Recorder,
+    view: &View<'_>,
+    bodies: &[ModelId],
+    windy: &mut bool,
+) -> Result<(), RecordError> {
+    let states = bodies.iter().filter_map(|id| view.state(*id));
+    let wind = Wind::around(view, states.map(|state| state.p_enu.as_vec3().to_array()));
+    let was_windy = std::mem::replace(windy, !wind.arrows.is_empty());
+    if was_windy || *windy {
+        recorder.wind(wind)?;
+    }
+    Ok(())
+}
+
 fn sample(view: &View<'_>, id: ModelId) -> Sample {
-    let (pose, twist) = (
-        view.pose(id).unwrap_or_default(),
-        view.twist(id).unwrap_or_default(),
-    );
-    let q = pose.attitude.quat();
+    let Some(state) = view.state(id) else {
+        return Sample::default();
+    };
+    let q = state.world_from_body;
     Sample {
-        position_m: pose.position.si().to_array(),
+        position_m: state.p_enu.to_array(),
         world_from_body: [q.w, q.x, q.y, q.z],
-        velocity_m_s: twist.linear.si().to_array(),
-        rate_rad_s: twist.angular.si().to_array(),
+        velocity_m_s: state.v_enu.to_array(),
+        rate_rad_s: state.w_flu.to_array(),
     }
 }
 

@@ -5,9 +5,9 @@ use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample, Vehicle};
 use crate::message::{self, Timestamp};
 use crate::recorder::{Header, Precision};
 use crate::scene;
-use crate::schema::{self, Type};
 use crate::sink::{Progress, Sink};
 use crate::topic::Topic;
+use crate::wind::Wind;
 use mcap::records::{MessageHeader, Metadata};
 use mcap::{McapError, McapResult, WriteOptions, Writer};
 use prost::Message;
@@ -31,10 +31,16 @@ pub(crate) struct Encoder {
     channels: [u16; Topic::ALL.len()],
     /// The channel of each sensor that has taken a picture.
     cameras: BTreeMap<String, u16>,
+    /// The channel of the wind, once there is any.
+    wind: Option<u16>,
     precision: Precision,
     with_twists: bool,
-    /// Bytes of messages in the open chunk.
+    /// Bytes of messages that no closed chunk holds.
     in_chunk: usize,
+    /// Messages that go into a chunk of their own, see [`stands_aside`]: channel, time, and where they end in the bytes
+    /// below.
+    aside: Vec<(u16, u64, usize)>,
+    aside_bytes: Vec<u8>,
     last_tick_ns: Option<u64>,
     poses: message::PosesInFrame,
     /// `None`: there are to be no points.
@@ -85,21 +91,14 @@ impl Encoder {
                 Topic::Solids => solids.is_some(),
                 Topic::Cloud => header.points,
                 Topic::Models => !header.models.is_empty(),
-                Topic::Images => false,
+                // Made when they are needed.
+                Topic::Wind | Topic::Images => false,
                 _ => true,
             };
             if !used {
                 continue;
             }
-            let (schema, encoding) = match topic.schema() {
-                Some(ty) => (add_schema(&mut writer, ty)?, "protobuf"),
-                None => {
-                    let fields = scene::STRING_FIELDS;
-                    (writer.add_schema(scene::STRING, "ros2msg", fields)?, "cdr")
-                }
-            };
-            channels[topic as usize] =
-                writer.add_channel(schema, topic.name(), encoding, &BTreeMap::new())?;
+            channels[topic as usize] = declare(&mut writer, topic, topic.name())?;
         }
 
         let mut encoder = Encoder {
@@ -107,9 +106,12 @@ impl Encoder {
             progress,
             channels,
             cameras: BTreeMap::new(),
+            wind: None,
             precision: header.precision,
             with_twists: header.twists,
             in_chunk: 0,
+            aside: Vec::new(),
+            aside_bytes: Vec::new(),
             last_tick_ns: None,
             poses: message::PosesInFrame {
                 frame_id: WORLD_FRAME.into(),
@@ -283,16 +285,22 @@ impl Encoder {
         self.message(Topic::Links, links.time_ns, &links.pack())
     }
 
+    pub(crate) fn wind(&mut self, wind: &Wind) -> McapResult<()> {
+        let channel = match self.wind {
+            Some(channel) => channel,
+            None => {
+                *(self.wind).insert(declare(&mut self.writer, Topic::Wind, Topic::Wind.name())?)
+            }
+        };
+        self.put_aside(channel, wind.time_ns, &wind.pack(self.precision))
+    }
+
     pub(crate) fn picture(&mut self, picture: &Picture) -> McapResult<()> {
         let channel = match self.cameras.get(&picture.path) {
             Some(channel) => *channel,
             None => {
-                let schema = add_schema(&mut self.writer, &schema::RAW_IMAGE)?;
                 let name = format!("{}/{}", Topic::Images.name(), picture.path);
-                let nothing = BTreeMap::new();
-                let channel = self
-                    .writer
-                    .add_channel(schema, &name, "protobuf", &nothing)?;
+                let channel = declare(&mut self.writer, Topic::Images, &name)?;
                 self.cameras.insert(picture.path.clone(), channel);
                 channel
             }
@@ -301,7 +309,36 @@ impl Encoder {
     }
 
     fn message(&mut self, topic: Topic, time_ns: u64, message: &impl Message) -> McapResult<()> {
-        self.message_on(self.channels[topic as usize], time_ns, message)
+        let channel = self.channels[topic as usize];
+        match stands_aside(topic) {
+            true => self.put_aside(channel, time_ns, message),
+            false => self.message_on(channel, time_ns, message),
+        }
+    }
+
+    fn put_aside(&mut self, channel: u16, time_ns: u64, message: &impl Message) -> McapResult<()> {
+        let before = self.aside_bytes.len();
+        // Cannot fail: a vector grows.
+        let written = message.encode(&mut self.aside_bytes);
+        written.map_err(io::Error::other)?;
+        let end = self.aside_bytes.len();
+        self.aside.push((channel, time_ns, end));
+        self.in_chunk += end - before;
+        self.progress.count_message();
+        Ok(())
+    }
+
+    /// Writes what was put aside into a chunk, which stays open.
+    fn write_aside(&mut self) -> McapResult<()> {
+        let mut from = 0;
+        for (channel, time_ns, end) in self.aside.drain(..) {
+            let header = header(channel, time_ns);
+            let bytes = &self.aside_bytes[from..end];
+            self.writer.write_to_known_channel(&header, bytes)?;
+            from = end;
+        }
+        self.aside_bytes.clear();
+        Ok(())
     }
 
     fn message_on(
@@ -320,12 +357,7 @@ impl Encoder {
     }
 
     fn bytes_on(&mut self, channel_id: u16, time_ns: u64, bytes: &[u8]) -> McapResult<()> {
-        let header = MessageHeader {
-            channel_id,
-            sequence: 0,
-            log_time: time_ns,
-            publish_time: time_ns,
-        };
+        let header = header(channel_id, time_ns);
         self.writer.write_to_known_channel(&header, bytes)?;
         self.in_chunk += bytes.len();
         self.progress.count_message();
@@ -337,9 +369,13 @@ impl Encoder {
         self.in_chunk
     }
 
-    /// Closes the chunk and hands it to the file.
+    /// Closes the chunk, puts what stands aside into one of its own, and hands both to the file.
     pub(crate) fn flush(&mut self) -> McapResult<()> {
         self.writer.flush()?;
+        if !self.aside.is_empty() {
+            self.write_aside()?;
+            self.writer.flush()?;
+        }
         self.in_chunk = 0;
         if let Some(time_ns) = self.last_tick_ns {
             self.progress.mark_safe(time_ns);
@@ -349,6 +385,7 @@ impl Encoder {
 
     /// Writes the summary and the index. Nothing may be written afterwards.
     pub(crate) fn finish(mut self, summary: Option<String>) -> McapResult<()> {
+        self.flush()?;
         if let Some(json) = summary {
             self.writer.write_metadata(&Metadata {
                 name: "summary".into(),
@@ -363,8 +400,55 @@ impl Encoder {
     }
 }
 
-fn add_schema(writer: &mut Writer<Sink>, ty: &Type) -> McapResult<u16> {
-    writer.add_schema(&ty.full_name(), "protobuf", &ty.descriptor_set())
+/// Whether messages of a topic stand aside from the bodies' poses, in chunks of their own: what is read for itself, and
+/// is small beside them. Then a reader of numbers and marks need not unpack all poses.
+fn stands_aside(topic: Topic) -> bool {
+    match topic {
+        Topic::Log
+        | Topic::Events
+        | Topic::Metrics
+        | Topic::Readings
+        | Topic::Packets
+        | Topic::Radio
+        | Topic::Links
+        | Topic::Wind => true,
+        Topic::Vehicles
+        | Topic::World
+        | Topic::Points
+        | Topic::Solids
+        | Topic::Models
+        | Topic::Poses
+        | Topic::Cloud
+        | Topic::Twists
+        | Topic::Images => false,
+    }
+}
+
+fn header(channel_id: u16, time_ns: u64) -> MessageHeader {
+    MessageHeader {
+        channel_id,
+        sequence: 0,
+        log_time: time_ns,
+        publish_time: time_ns,
+    }
+}
+
+/// A new channel for messages of a topic.
+fn declare(writer: &mut Writer<Sink>, topic: Topic, name: &str) -> McapResult<u16> {
+    let (schema, encoding) = match topic.schema() {
+        Some(ty) => {
+            let set = ty.descriptor_set();
+            (
+                writer.add_schema(&ty.full_name(), "protobuf", &set)?,
+                "protobuf",
+            )
+        }
+        None => {
+            let fields = scene::STRING_FIELDS;
+            (writer.add_schema(scene::STRING, "ros2msg", fields)?, "cdr")
+        }
+    };
+    writer.add_channel(schema, name, encoding, &BTreeMap::new())
 }
 
 fn pose(sample: &Sample, precision: Precision) -> message::Pose {

@@ -38,8 +38,9 @@ pub(crate) struct ChunkEntry {
     pub(crate) extent: Extent,
     pub(crate) start_ns: u64,
     pub(crate) end_ns: u64,
-    /// Channels that have messages in it; `None` if that is not known.
-    pub(crate) channels: Option<Vec<u16>>,
+    /// Channels that have messages in it, and where in the file their message indexes stand; `None` if that is
+    /// not known.
+    pub(crate) channels: Option<Vec<(u16, u64)>>,
 }
 
 /// The index of a file, or `None` if it is no MCAP file.
@@ -118,8 +119,7 @@ fn summary(bytes: &[u8], file_length: u64) -> Option<Index> {
                 let mut offsets = fields.list()?;
                 let mut channels = Vec::new();
                 while !offsets.0.is_empty() {
-                    channels.push(offsets.u16()?);
-                    offsets.u64()?;
+                    channels.push((offsets.u16()?, offsets.u64()?));
                 }
                 index.chunks.push(ChunkEntry {
                     extent,
@@ -187,7 +187,8 @@ fn scan(source: &Source) -> io::Result<Index> {
                 };
                 // One cut off between its message indexes must not look as if it had fewer
                 // channels: see below.
-                chunk.channels.get_or_insert_default().push(channel);
+                let channels = chunk.channels.get_or_insert_default();
+                channels.push((channel, offset));
             }
             op::METADATA => index.metadata.push(extent),
             op::ATTACHMENT => index.attachments.push(extent),
@@ -207,6 +208,39 @@ fn scan(source: &Source) -> io::Result<Index> {
         last.channels = None;
     }
     Ok(index)
+}
+
+/// The times of the messages of one channel in one chunk, ns, from the message index that stands at `offset`; `None` if
+/// there is none.
+pub(crate) fn message_times(
+    source: &Source,
+    offset: u64,
+    channel: u16,
+) -> io::Result<Option<Vec<u64>>> {
+    let mut bytes = Vec::new();
+    if !source.read(offset, RECORD_HEADER, &mut bytes)? {
+        return Ok(None);
+    }
+    let mut fields = Fields(&bytes);
+    let (Some(op::MESSAGE_INDEX), Some(length)) = (fields.u8(), fields.u64()) else {
+        return Ok(None);
+    };
+    let body_at = offset.saturating_add(RECORD_HEADER);
+    if !source.read(body_at, length, &mut bytes)? {
+        return Ok(None);
+    }
+    let times = || {
+        let mut fields = Fields(&bytes);
+        let same = fields.u16()? == channel;
+        let mut entries = fields.list()?;
+        let mut times = Vec::new();
+        while !entries.0.is_empty() {
+            times.push(entries.u64()?);
+            entries.u64()?;
+        }
+        same.then_some(times)
+    };
+    Ok(times())
 }
 
 /// Remembers a channel, if it is one of ours. `None` when the record is damaged.

@@ -24,6 +24,7 @@
 //! | `/packets` | `simbeeotic.Packet` | a transmission, and who received it |
 //! | `/radio` | `simbeeotic.Radio` | how many frames were sent, received and lost in a period |
 //! | `/links` | `simbeeotic.Links` | how well each radio heard each other in a period |
+//! | `/wind` | `simbeeotic.Wind` | the air around the swarm, on a coarse grid; not where it is calm |
 //! | `/images/PATH` | [`foxglove.RawImage`](https://docs.foxglove.dev/docs/visualization/message-schemas/raw-image) | what the camera at this path saw |
 //!
 //! ```text
@@ -59,6 +60,9 @@
 //!                    repeated int32 from = 4; repeated int32 to = 5;                   // places in radios
 //!                    repeated int32 sent = 6; repeated int32 received = 7;
 //!                    repeated float rssi_dbm = 8; repeated float distance_m = 9; }
+//! message Wind     { google.protobuf.Timestamp timestamp = 1;
+//!                    repeated float position_enu_m = 2;        // x y z of the first point, of the second, ...
+//!                    repeated float velocity_enu_m_s = 3; }
 //! ```
 //!
 //! The metadata record `run` holds `version`, `seed`, `scenario` and `precision`, the metadata
@@ -114,6 +118,7 @@ mod publish;
 mod radio;
 mod recorder;
 mod recording;
+mod roster;
 mod scene;
 mod schema;
 mod selection;
@@ -124,6 +129,7 @@ mod table;
 mod table_read;
 mod ticks;
 mod topic;
+mod wind;
 mod writer;
 
 pub use air::{Link, Links, Packet, Received, Tallies, Traffic};
@@ -135,10 +141,13 @@ pub use export::{
     export_parquet, export_readings, export_readings_file,
 };
 pub use publish::{publish, publishable};
+pub use radio::{ALL_RADIOS_MAX, Aloft, Flight, Pairs};
 pub use recorder::{Header, Precision, RecordError, RecordStats, Recorder};
 pub use recording::{ReadError, Recording};
+pub use roster::vehicles_of;
 pub use selection::Selection;
 pub use stage::Stage;
 pub use table::{Column, Values, write_table};
 pub use table_read::{TableReadError, read_table};
 pub use ticks::Ticks;
+pub use wind::Wind;

@@ -239,6 +239,17 @@ pub(crate) struct Links {
     pub(crate) distance_m: Vec<f32>,
 }
 
+/// `simbeeotic.Wind`: three numbers a point of the grid in each list.
+#[derive(Clone, PartialEq, Message)]
+pub(crate) struct Wind {
+    #[prost(message, optional, tag = "1")]
+    pub(crate) timestamp: Option<Timestamp>,
+    #[prost(float, repeated, tag = "2")]
+    pub(crate) position_enu_m: Vec<f32>,
+    #[prost(float, repeated, tag = "3")]
+    pub(crate) velocity_enu_m_s: Vec<f32>,
+}
+
 /// `foxglove.RawImage`
 #[derive(Clone, PartialEq, Message)]
 pub(crate) struct RawImage {

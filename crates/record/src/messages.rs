@@ -122,7 +122,7 @@ impl<'a> Messages<'a> {
             && chunk
                 .channels
                 .as_ref()
-                .is_none_or(|ids| ids.iter().any(wanted))
+                .is_none_or(|ids| ids.iter().any(|(id, _)| wanted(id)))
     }
 
     pub(crate) fn decode<M: Message + Default>(&self, found: &Found) -> Result<M, ReadError> {

@@ -5,6 +5,7 @@ use crate::data::{Attachment, Event, LogEntry, Metrics, Picture, Reading, Sample
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
 use crate::stage::Stage;
+use crate::wind::Wind;
 use crate::writer::{self, Job};
 use simbeeotic_model::About;
 use std::collections::BTreeMap;
@@ -359,6 +360,14 @@ impl Recorder {
     /// When writing has failed.
     pub fn links(&mut self, links: Links) -> Result<(), RecordError> {
         self.send(Job::Links(links))
+    }
+
+    /// Records the wind around the swarm.
+    ///
+    /// # Errors
+    /// When writing has failed.
+    pub fn wind(&mut self, wind: Wind) -> Result<(), RecordError> {
+        self.send(Job::Wind(wind))
     }
 
     /// What the recording has cost so far.

@@ -407,7 +407,7 @@ impl Recording {
         }
     }
 
-    fn io_error(&self, source: io::Error) -> ReadError {
+    pub(crate) fn io_error(&self, source: io::Error) -> ReadError {
         ReadError::Io {
             path: self.path.clone(),
             source,

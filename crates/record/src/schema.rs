@@ -350,6 +350,19 @@ pub(crate) static LINKS: Type = Type {
     enums: &[],
 };
 
+pub(crate) static WIND: Type = Type {
+    package: "simbeeotic",
+    name: "Wind",
+    file: "simbeeotic/Wind.proto",
+    imports: &[&TIMESTAMP],
+    fields: &[
+        one("timestamp", 1, TIME),
+        many("position_enu_m", 2, Kind::Float),
+        many("velocity_enu_m_s", 3, Kind::Float),
+    ],
+    enums: &[],
+};
+
 pub(crate) static RAW_IMAGE: Type = Type {
     package: "foxglove",
     name: "RawImage",
@@ -584,6 +597,11 @@ mod tests {
             rssi_dbm: vec![1.0],
             distance_m: vec![1.0],
         };
+        let wind = message::Wind {
+            timestamp,
+            position_enu_m: vec![1.0],
+            velocity_enu_m_s: vec![1.0],
+        };
         let image = message::RawImage {
             timestamp,
             width: 1,
@@ -608,6 +626,7 @@ mod tests {
             (&PACKET, packet.encode_to_vec()),
             (&RADIO, radio.encode_to_vec()),
             (&LINKS, links.encode_to_vec()),
+            (&WIND, wind.encode_to_vec()),
             (&RAW_IMAGE, image.encode_to_vec()),
         ] {
             assert_eq!(keys(&bytes), declared(ty), "{}", ty.full_name());

@@ -25,12 +25,14 @@ pub(crate) enum Topic {
     Packets,
     Radio,
     Links,
+    /// Made when there is wind.
+    Wind,
     /// One channel for each sensor that takes pictures, made when it takes the first.
     Images,
 }
 
 impl Topic {
-    pub(crate) const ALL: [Topic; 16] = [
+    pub(crate) const ALL: [Topic; 17] = [
         Topic::Vehicles,
         Topic::World,
         Topic::Points,
@@ -46,6 +48,7 @@ impl Topic {
         Topic::Packets,
         Topic::Radio,
         Topic::Links,
+        Topic::Wind,
         Topic::Images,
     ];
 
@@ -66,6 +69,7 @@ impl Topic {
             Topic::Packets => "/packets",
             Topic::Radio => "/radio",
             Topic::Links => "/links",
+            Topic::Wind => "/wind",
             Topic::Images => "/images",
         }
     }
@@ -94,6 +98,7 @@ impl Topic {
             Topic::Packets => &schema::PACKET,
             Topic::Radio => &schema::RADIO,
             Topic::Links => &schema::LINKS,
+            Topic::Wind => &schema::WIND,
             Topic::Images => &schema::RAW_IMAGE,
             Topic::Solids => return None,
         })

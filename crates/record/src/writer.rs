@@ -4,6 +4,7 @@ use crate::air::{Links, Packet, Traffic};
 use crate::data::{Event, LogEntry, Metrics, Picture, Reading, Sample};
 use crate::encoder::{Encoder, io_error};
 use crate::sink::Progress;
+use crate::wind::Wind;
 use mcap::McapResult;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
@@ -20,6 +21,7 @@ pub(crate) enum Job {
     Packet(Box<Packet>),
     Traffic(Box<Traffic>),
     Links(Links),
+    Wind(Wind),
     Finish(Option<String>),
 }
 
@@ -68,6 +70,7 @@ fn write(encoder: &mut Encoder, job: Job, spare: &Sender<Vec<Sample>>) -> McapRe
         Job::Packet(packet) => encoder.packet(*packet),
         Job::Traffic(traffic) => encoder.traffic(*traffic),
         Job::Links(links) => encoder.links(links),
+        Job::Wind(wind) => encoder.wind(&wind),
         Job::Finish(_) => Ok(()),
     }
 }

@@ -24,6 +24,11 @@ pub trait Weather: Debug + Send + Sync {
         self.wind(at, time)
     }
 
+    /// Whether there is no wind, anywhere and ever. `false` promises nothing.
+    fn is_calm(&self) -> bool {
+        false
+    }
+
     /// The temperature of the air; that of the standard atmosphere unless the weather says
     /// otherwise.
     fn temperature(&self, at: Position, _time: SimTime) -> Temperature {
@@ -79,6 +84,10 @@ pub struct Calm;
 impl Weather for Calm {
     fn wind(&self, _at: Position, _time: SimTime) -> Velocity<Enu> {
         Velocity::ZERO
+    }
+
+    fn is_calm(&self) -> bool {
+        true
     }
 }
 

@@ -176,6 +176,11 @@ impl Weather for Atmosphere {
         Velocity::from_si(wind)
     }
 
+    fn is_calm(&self) -> bool {
+        let moved = !self.gusts.is_empty() || !self.vortices.is_empty() || self.grid.is_some();
+        !moved && self.turbulence.is_none() && self.mean.reference() == DVec3::ZERO
+    }
+
     fn temperature(&self, at: Position, _time: SimTime) -> Temperature {
         self.air.at(at.up()).0
     }
@@ -298,6 +303,8 @@ mod tests {
         assert_eq!(all.mean_wind(at, time), Velocity::from_xyz(3.0, 1.0, 0.0));
         let none = made(AtmosphereParams::default());
         assert_eq!(none.wind(at, time), Velocity::ZERO);
+        assert!(none.is_calm());
+        assert!(single.iter().all(|part| !part.is_calm()));
         assert_eq!(
             (none.light(at, time), none.rain(at, time)),
             (Illuminance::ZERO, RainRate::ZERO)

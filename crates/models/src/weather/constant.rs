@@ -42,6 +42,10 @@ impl Weather for ConstantWeather {
     fn wind(&self, _at: Position, _time: SimTime) -> Velocity<Enu> {
         self.wind
     }
+
+    fn is_calm(&self) -> bool {
+        self.wind == Velocity::ZERO
+    }
 }
 
 #[cfg(test)]
@@ -63,6 +67,7 @@ mod tests {
         let weather = ConstantWeather::from_params(ConstantWeatherParams::default()).expect("good");
         let (here, now) = (Position::ZERO, SimTime::ZERO);
         assert_eq!(weather.wind(here, now), Velocity::ZERO);
+        assert!(weather.is_calm());
         let density = weather.density(here, now).kilograms_per_cubic_metre();
         assert!((density - 1.225).abs() < 1e-4, "{density} kg/m^3");
     }

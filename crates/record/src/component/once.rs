@@ -1,52 +1,16 @@
-//! What a recording says once, before anything moves: who flies and how it looks, what models are made of,
-//! what stands in the world.
+//! What a recording says once, before anything moves, besides who flies: what models are made of, what stands in the
+//! world.
 
-use crate::data::{Attachment, Vehicle};
+use crate::data::Attachment;
 use crate::scene;
-use crate::stage::{Piece, Stage, pieces_of, textures};
+use crate::stage::{Stage, textures};
 use prost::Message;
-use simbeeotic_model::kernel::ModelId;
-use simbeeotic_model::physics::Shape;
 use simbeeotic_model::{About, View};
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Swarms have few shapes: a shape is looked for among so many.
-const SHAPES_MAX: usize = 64;
 
 /// What is known about models is written up to this size, and asked of so many sections.
 const MODELS_BYTES_MAX: usize = 8 << 20;
 const SECTIONS_MAX: usize = 2_000;
-
-/// All bodies as vehicles of a recording; those of one shape share their pieces.
-pub(super) fn vehicles(view: &View<'_>, bodies: &[ModelId]) -> Vec<Vehicle> {
-    let mut shapes: Vec<(&Shape, Arc<[Piece]>)> = Vec::new();
-    let mut look = |shape| -> Arc<[Piece]> {
-        if let Some((_, pieces)) = shapes.iter().find(|(known, _)| *known == shape) {
-            return Arc::clone(pieces);
-        }
-        let pieces: Arc<[Piece]> = pieces_of(shape).into();
-        if shapes.len() < SHAPES_MAX {
-            shapes.push((shape, Arc::clone(&pieces)));
-        }
-        pieces
-    };
-    let vehicle = |id: &ModelId| {
-        let member = view.population().get(*id);
-        Vehicle {
-            path: member.map(|m| m.path.to_owned()).unwrap_or_default(),
-            kind: member.map(|m| m.kind.to_owned()).unwrap_or_default(),
-            radius_m: view.radius(*id).map_or(0.0, |r| r.metres()),
-            role: view
-                .body_kind(*id)
-                .map_or("", |kind| kind.name())
-                .to_owned(),
-            color: (view.color(*id)).map_or([0; 4], |c| [c.red, c.green, c.blue, c.alpha]),
-            pieces: view.shape(*id).map(&mut look).unwrap_or_default(),
-        }
-    };
-    bodies.iter().map(vehicle).collect()
-}
 
 /// What all models are made of, those that are alike together; and what there is to say about those
 /// that were left out.

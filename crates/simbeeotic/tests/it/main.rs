@@ -18,6 +18,7 @@ mod plot_runs;
 mod plot_sweeps;
 mod program;
 mod radio;
+mod recorded;
 mod shelf;
 mod sweep;
 mod view;
