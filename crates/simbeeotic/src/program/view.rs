@@ -110,8 +110,8 @@ pub(super) fn view(options: &ViewOptions) -> Result<(), Failure> {
     }
     let server = Server::start(place).map_err(no_server)?;
     server.show(Arc::new(replay));
-    announce(&server.url(), Some(&server.visitors()), page.open);
     let interrupted = at_interrupt(|| {});
+    announce(&server.url(), Some(&server.visitors()), page.open);
     linger(&server.visitors(), &interrupted);
     Ok(())
 }

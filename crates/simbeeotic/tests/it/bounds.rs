@@ -96,6 +96,58 @@ fn an_interrupted_run_shows_its_summary_and_closes_its_recording() {
     }
 }
 
+/// Both ways to have a page end by an interrupt while it is open, and a port that is taken is named.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_page_and_a_taken_port_is_said() {
+    use std::io::{BufRead, BufReader};
+    let program = Program::new();
+    program.write("bees.toml", BEES);
+    program.summary(&["bees.toml", "--end-time", "0.5 s"]);
+    let run = [
+        "run",
+        "bees.toml",
+        "--no-record",
+        "--view",
+        "--paused",
+        "--port",
+        "0",
+    ];
+    let view = ["view", "run.mcap", "--port", "0"];
+    for arguments in [&run[..], &view] {
+        let mut command = program.command();
+        let command = command.args(arguments).stderr(std::process::Stdio::piped());
+        let mut child = command.spawn().expect("the program starts");
+        let mut lines = BufReader::new(child.stderr.take().expect("it is piped"));
+        let mut line = String::new();
+        while !line.contains("page: http://") {
+            line.clear();
+            assert!(lines.read_line(&mut line).expect("text") > 0, "no page");
+        }
+        let place = line.trim().rsplit("http://").next().expect("an address");
+        let place = place.trim_end_matches('/');
+        let mut open = std::net::TcpStream::connect(place).expect("it listens");
+        let port = place.rsplit(':').next().expect("a port");
+        let second = program.call(&["view", "run.mcap", "--port", port]);
+        assert_eq!(second.code, Some(2), "{}", second.err);
+        let said = format!("port {port} of 127.0.0.1 is in use");
+        assert!(second.err.contains(&said), "{}", second.err);
+        let sent = std::process::Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status();
+        assert!(sent.expect("there is a kill").success());
+        let ended = child.wait().expect("it ends");
+        let expected = if arguments[0] == "run" { 130 } else { 0 };
+        assert_eq!(ended.code(), Some(expected), "{arguments:?}");
+        let mut rest = Vec::new();
+        let _ = open.read_to_end(&mut rest);
+        assert!(
+            std::net::TcpStream::connect(place).is_err(),
+            "nobody listens"
+        );
+    }
+}
+
 #[test]
 fn a_limit_of_wall_time_ends_a_run_well() {
     let program = Program::new();

@@ -117,8 +117,29 @@ fn eager(mut page: WebSocket<TcpStream>) -> usize {
     take_frames(&mut page, |_, _| {})
 }
 
-/// Reads a byte now and then.
-fn slow(page: WebSocket<TcpStream>) -> usize {
+/// Takes frames, but no more than three a second; what it says is that of the last `state`: frames that it was not sent.
+fn slow(mut page: WebSocket<TcpStream>) -> usize {
+    let mut skipped = 0;
+    while let Ok(message) = page.read() {
+        match message {
+            Message::Binary(bytes) if bytes.first() == Some(&1) => {
+                std::thread::sleep(Duration::from_millis(330));
+                say(&mut page, r#"{"type":"got","time_s":1e9}"#);
+            }
+            Message::Text(text) => {
+                let said: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+                if said["type"] == "state" {
+                    skipped = said["skipped"].as_u64().expect("a number") as usize;
+                }
+            }
+            _ => {}
+        }
+    }
+    skipped
+}
+
+/// Reads a byte now and then, and never says that it got a frame.
+fn stuck(page: WebSocket<TcpStream>) -> usize {
     let mut stream = page.into_inner();
     let mut byte = [0];
     let mut read = 0;
@@ -126,7 +147,7 @@ fn slow(page: WebSocket<TcpStream>) -> usize {
         read += 1;
         std::thread::sleep(Duration::from_millis(100));
     }
-    1
+    read
 }
 
 /// Is gone after five frames, without a word.
@@ -166,20 +187,61 @@ fn starting(mut page: WebSocket<TcpStream>) -> usize {
     take_frames(&mut page, |_, _| {})
 }
 
-#[test]
-fn viewers_do_not_show_in_the_trace() {
-    let loaded = load_text("view", SCENARIO, &Request::default()).expect("it is right");
+/// The trace hash of the scenario that nobody looks at.
+fn unwatched(text: &str) -> String {
+    let loaded = load_text("view", text, &Request::default()).expect("it is right");
     let setup = loaded.setup().expect("it is right");
     let mut simulation = Simulation::new(setup).expect("it can be built");
-    let plain = simulation.run().summary.trace_hash;
+    simulation.run().summary.trace_hash
+}
 
-    assert_eq!(watched(&[], false).0, plain, "nobody looks");
+#[test]
+fn the_hash_can_tell_another_run() {
+    let plain = unwatched(SCENARIO);
+    assert_eq!(unwatched(SCENARIO), plain);
+    assert_ne!(unwatched(&SCENARIO.replace("seed = 7", "seed = 8")), plain);
+    let longer = SCENARIO.replace("3 s", "3.1 s");
+    assert_ne!(unwatched(&longer), plain);
+}
+
+#[test]
+fn a_viewer_without_a_page_does_not_show_in_the_trace() {
+    assert_eq!(watched(&[], false).0, unwatched(SCENARIO));
+}
+
+#[test]
+fn one_page_does_not_show_in_the_trace() {
     let (hash, frames) = watched(&[eager], false);
-    assert_eq!(hash, plain, "one looks");
+    assert_eq!(hash, unwatched(SCENARIO));
     assert!(frames[0] > 5, "{frames:?}");
-    let (hash, frames) = watched(&[eager, slow, killed], false);
-    assert_eq!(hash, plain, "three look, one slowly, one is killed");
-    assert!(frames[0] > 5 && frames[2] == 5, "{frames:?}");
+}
+
+#[test]
+fn three_pages_do_not_show_in_the_trace() {
+    let (hash, frames) = watched(&[eager, eager, eager], false);
+    assert_eq!(hash, unwatched(SCENARIO));
+    assert!(frames.iter().all(|frames| *frames > 5), "{frames:?}");
+}
+
+#[test]
+fn slow_pages_do_not_show_in_the_trace_and_are_sent_fewer_frames() {
+    let (hash, seen) = watched(&[eager, slow, stuck], false);
+    assert_eq!(hash, unwatched(SCENARIO));
+    assert!(seen[0] > 5, "the others are not held up: {seen:?}");
+    assert!(seen[1] > 0, "it was spared frames: {seen:?}");
+    assert!(seen[2] > 0, "{seen:?}");
+}
+
+#[test]
+fn a_page_that_is_killed_does_not_show_in_the_trace() {
+    let (hash, frames) = watched(&[killed, eager], false);
+    assert_eq!(hash, unwatched(SCENARIO));
+    assert!(frames[0] == 5 && frames[1] > 5, "{frames:?}");
+}
+
+#[test]
+fn pauses_steps_and_paces_do_not_show_in_the_trace() {
+    let plain = unwatched(SCENARIO);
     let (hash, frames) = watched(&[steering], false);
     assert_eq!(hash, plain, "one steers");
     assert!(frames[0] > 6, "{frames:?}");

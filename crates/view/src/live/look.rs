@@ -48,6 +48,7 @@ impl Looks {
     }
 }
 
+/// One sweep: each body is looked up and evaluated once.
 fn fill(look: &mut Look, view: &View<'_>, bodies: &[ModelId], colours: Vec<(String, Arc<[f32]>)>) {
     let columns = &mut look.columns;
     columns.clear();
@@ -56,17 +57,20 @@ fn fill(look: &mut Look, view: &View<'_>, bodies: &[ModelId], colours: Vec<(Stri
     columns.velocities.reserve(bodies.len());
     columns.attitudes.reserve(bodies.len());
     for id in bodies {
-        let pose = view.pose(*id).unwrap_or_default();
-        let velocity = view.velocity(*id).unwrap_or_default();
-        let q = pose.attitude.quat();
-        let single = |v: [f64; 3]| v.map(|part| part as f32);
-        columns
-            .positions
-            .push(single(pose.position.si().to_array()));
-        columns.velocities.push(single(velocity.si().to_array()));
-        columns
-            .attitudes
-            .push(Columns::attitude([q.w, q.x, q.y, q.z]));
+        let (position, velocity, attitude) = match view.state(*id) {
+            Some(state) => {
+                let q = state.world_from_body;
+                (
+                    state.p_enu.as_vec3().to_array(),
+                    state.v_enu.as_vec3().to_array(),
+                    [q.w, q.x, q.y, q.z],
+                )
+            }
+            None => ([0.0; 3], [0.0; 3], [1.0, 0.0, 0.0, 0.0]),
+        };
+        columns.positions.push(position);
+        columns.velocities.push(velocity);
+        columns.attitudes.push(Columns::attitude(attitude));
     }
     look.colours = colours;
 }

@@ -1,6 +1,7 @@
 //! One page that looks at a run: what it has been told, and what comes next.
 
 use super::look::Look;
+use super::marks::Event;
 use super::shared::{MARKS_KEPT, Now, Shared};
 use crate::server::Page;
 use crate::wire::{Asked, Message, Packet, Said, frame, nanoseconds, values};
@@ -47,6 +48,30 @@ pub(super) struct LivePage {
     begun: Instant,
     /// Wall and virtual times of the last second.
     past: VecDeque<(Duration, f64)>,
+}
+
+/// What is new besides positions, as it was copied: it is encoded when the lock is free again.
+#[derive(Default)]
+struct Beside {
+    marks: (Vec<Event>, u64),
+    packets: (Vec<Arc<Packet>>, u64),
+    whole: Vec<Arc<Said>>,
+}
+
+impl Beside {
+    fn say(self, out: &mut Vec<Message>) {
+        let (list, dropped) = self.marks;
+        if !list.is_empty() || dropped > 0 {
+            let list = list.iter().map(Event::told).collect();
+            out.push(Said::Marks { list, dropped }.message());
+        }
+        let (list, dropped) = self.packets;
+        if !list.is_empty() || dropped > 0 {
+            let list = list.iter().map(|packet| Packet::clone(packet)).collect();
+            out.push(Said::Packets { list, dropped }.message());
+        }
+        out.extend(self.whole.iter().map(|said| said.message()));
+    }
 }
 
 /// How the run goes, as far as pages are told.
@@ -112,6 +137,7 @@ impl LivePage {
         };
         self.packets = packets;
         if !list.is_empty() || dropped > 0 {
+            let list = list.iter().map(Event::told).collect();
             out.push(Said::Marks { list, dropped }.message());
         }
         self.greeted = true;
@@ -210,21 +236,18 @@ impl LivePage {
     }
 
     /// What goes with a frame.
-    fn beside(&mut self, now: &Now, out: &mut Vec<Said>) -> Vec<Message> {
-        let (list, dropped) = now.marks.since(self.marks, MARKS_MAX);
+    fn beside(&mut self, now: &Now) -> Beside {
+        let marks = now.marks.since(self.marks, MARKS_MAX);
         self.marks = now.marks.end();
-        if !list.is_empty() || dropped > 0 {
-            out.push(Said::Marks { list, dropped });
-        }
-        let (list, dropped) = now.packets.since(self.packets, PACKETS_MAX);
+        let packets = now.packets.since(self.packets, PACKETS_MAX);
         self.packets = now.packets.end();
-        if !list.is_empty() || dropped > 0 {
-            let list = list.iter().map(|packet| Packet::clone(packet)).collect();
-            out.push(Said::Packets { list, dropped });
-        }
         let links = now.links.since(&mut self.links);
         let wind = now.wind.since(&mut self.wind);
-        links.into_iter().chain(wind).collect()
+        Beside {
+            marks,
+            packets,
+            whole: links.into_iter().chain(wind).collect(),
+        }
     }
 
     fn select(&mut self, vehicle: Option<u32>) {
@@ -308,7 +331,7 @@ impl Page for LivePage {
             self.greet(out);
         }
         let free = self.on_the_way.len() < ON_THE_WAY;
-        let mut beside = Vec::new();
+        let mut beside = Beside::default();
         let (look, time_s, ended): (Option<Arc<Look>>, f64, Option<String>) = {
             let shared = Arc::clone(&self.shared);
             let now = shared.now();
@@ -318,16 +341,16 @@ impl Page for LivePage {
             if look.is_some() {
                 self.skipped += (now.number - self.look - 1) * u64::from(self.look > 0);
                 self.look = now.number;
-                let ready = self.beside(&now, &mut beside);
-                out.extend(ready);
+                beside = self.beside(&now);
             }
             if let Some(vehicle) = self.vehicle {
                 let details = now.details.get(&vehicle);
-                out.extend(details.and_then(|details| details.since(&mut self.details)));
+                let details = details.and_then(|details| details.since(&mut self.details));
+                beside.whole.extend(details);
             }
             (look, time_s, ended)
         };
-        out.extend(beside.iter().map(Said::message));
+        beside.say(out);
         self.say_state(time_s, ended, out);
         let (number, counts) = {
             let series = self.shared.series();

@@ -1,14 +1,16 @@
-//! What the run's thread and the pages' threads share. Each lock is held for a copy, never for a socket.
+//! What the run's thread and the pages' threads share. Each lock is held for a copy, never for a socket; and while it
+//! runs, the run's thread waits for none of them: what it finds locked it leaves for its next look.
 
 use super::look::Look;
+use super::marks::Event;
 use crate::series::Series;
 use crate::server::Bell;
-use crate::wire::{Mark, Message, Packet};
+use crate::wire::{Message, Packet, Said};
 use simbeeotic_model::kernel::Progress;
 use simbeeotic_model::kernel::pace::Control;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
 /// Marks that a page which comes late is told.
 pub(super) const MARKS_KEPT: usize = 5000;
@@ -42,7 +44,7 @@ impl<T: Clone> Ring<T> {
         self.end += 1;
     }
 
-    /// There was one more, and it is not kept.
+    /// There were so many more, and they are not kept.
     pub(super) fn skip(&mut self, count: u64) {
         self.end += count;
     }
@@ -67,26 +69,26 @@ impl<T: Clone> Ring<T> {
     }
 }
 
-/// A message that is replaced now and then.
+/// A message that is replaced now and then. Pages encode it.
 #[derive(Debug, Default)]
 pub(super) struct Latest {
-    pub(super) number: u64,
-    pub(super) message: Option<Message>,
+    number: u64,
+    said: Option<Arc<Said>>,
 }
 
 impl Latest {
-    pub(super) fn set(&mut self, message: Message) {
+    pub(super) fn set(&mut self, said: Said) {
         self.number += 1;
-        self.message = Some(message);
+        self.said = Some(Arc::new(said));
     }
 
     /// The message, if it is newer than the one that was seen.
-    pub(super) fn since(&self, seen: &mut u64) -> Option<Message> {
+    pub(super) fn since(&self, seen: &mut u64) -> Option<Arc<Said>> {
         if *seen == self.number {
             return None;
         }
         *seen = self.number;
-        self.message.clone()
+        self.said.clone()
     }
 }
 
@@ -96,7 +98,7 @@ pub(super) struct Now {
     pub(super) look: Arc<Look>,
     /// Counts looks.
     pub(super) number: u64,
-    pub(super) marks: Ring<Mark>,
+    pub(super) marks: Ring<Event>,
     pub(super) packets: Ring<Arc<Packet>>,
     pub(super) links: Latest,
     pub(super) wind: Latest,
@@ -189,6 +191,21 @@ impl Shared {
         self.wants.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// [`now`](Self::now), if nobody is at it.
+    pub(super) fn try_now(&self) -> Option<MutexGuard<'_, Now>> {
+        free(&self.now)
+    }
+
+    /// [`series`](Self::series), if nobody is at them.
+    pub(super) fn try_series(&self) -> Option<MutexGuard<'_, Series>> {
+        free(&self.series)
+    }
+
+    /// [`wants`](Self::wants), if nobody is at them.
+    pub(super) fn try_wants(&self) -> Option<MutexGuard<'_, Wants>> {
+        free(&self.wants)
+    }
+
     fn bells(&self) -> MutexGuard<'_, BTreeMap<u64, Arc<Bell>>> {
         self.bells.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -226,11 +243,20 @@ impl Shared {
         self.hungry.store(true, Ordering::Release);
     }
 
-    /// There is something new for all pages.
+    /// There is something new for all pages. Who comes or goes just now finds out by itself.
     pub(super) fn ring(&self) {
-        for bell in self.bells().values() {
-            bell.ring();
+        if let Some(bells) = free(&self.bells) {
+            bells.values().for_each(|bell| bell.ring());
         }
+    }
+}
+
+/// A lock that nobody holds.
+fn free<T>(lock: &Mutex<T>) -> Option<MutexGuard<'_, T>> {
+    match lock.try_lock() {
+        Ok(guard) => Some(guard),
+        Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner()),
+        Err(TryLockError::WouldBlock) => None,
     }
 }
 

@@ -1,8 +1,9 @@
 //! A recording again: the same page, with a time line.
 //!
-//! What is small is read once (`past`: marks, statistics, series); frames, packets and links are read from
-//! the file when a page asks for their times (`film`, `page`), and a few frames are kept for whoever asks
-//! next.
+//! Opening reads what stands at the ends of the file, so that the page is there at once, however long the recording is.
+//! What is small is read once, on a thread of its own (`past`: marks, statistics, series, wind), and told when it is there;
+//! frames, packets and links are read from the file when a page asks for their times (`film`, `page`), and a few frames are
+//! kept for whoever asks next.
 
 mod details;
 mod film;
@@ -13,13 +14,12 @@ use crate::server::{Bell, Page, Picture, Source, pictures};
 use crate::wire::{Asked, Facts, Hello, Message, Mode, Replayed, seconds};
 use film::Film;
 use page::ReplayPage;
-pub(crate) use page::best;
 use past::Past;
 use simbeeotic_record::stage::Stage;
 use simbeeotic_record::{ReadError, Recording};
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A recording, ready to be shown by a [`Server`](crate::server::Server).
 pub struct Replay(Arc<Shown>);
@@ -29,13 +29,19 @@ struct Shown {
     recording: Recording,
     hello: Message,
     film: Film,
-    past: Past,
+    /// Once it has been read.
+    past: OnceLock<Past>,
     /// The place of each vehicle, by its path.
     places: BTreeMap<String, u32>,
     textures: BTreeMap<String, Picture>,
 }
 
 impl Shown {
+    /// What is known of the whole recording; waits until it has been read.
+    fn past(&self) -> &Past {
+        self.past.wait()
+    }
+
     /// The vehicle of this path, or the one that carries the sensor, radio or number of this path.
     fn vehicle(&self, path: &str) -> Option<u32> {
         vehicle_of(&self.places, path).map(|(vehicle, _)| vehicle)
@@ -54,7 +60,7 @@ fn vehicle_of<'a>(places: &BTreeMap<String, u32>, path: &'a str) -> Option<(u32,
 }
 
 impl Replay {
-    /// Opens a recording, and reads what is small.
+    /// Opens a recording, and begins to read what is small.
     ///
     /// # Errors
     /// The file cannot be read, or is no recording. Damaged parts are left out.
@@ -64,8 +70,7 @@ impl Replay {
             .zip(0..)
             .map(|(vehicle, place)| (vehicle.path.clone(), place))
             .collect();
-        let film = Film::new(recording.tick_times()?);
-        let past = Past::read(&recording, &places);
+        let film = Film::new(recording.indexed_tick_times()?);
         let stage = recording.stage().ok().flatten().unwrap_or_else(empty);
         let textures = pictures(recording.attachments().unwrap_or_default());
         let times = film.times_ns();
@@ -101,14 +106,24 @@ impl Replay {
             replay: Some(&replayed),
         }
         .message();
-        Ok(Self(Arc::new(Shown {
+        let shown = Arc::new(Shown {
             hello,
             film,
-            past,
+            past: OnceLock::new(),
             places,
             textures,
             recording,
-        })))
+        });
+        let read = |shown: &Shown| {
+            let read = || Past::read(&shown.recording, &shown.places);
+            shown.past.get_or_init(read);
+        };
+        let thread = std::thread::Builder::new().name("view-past".to_owned());
+        let reader = Arc::clone(&shown);
+        if thread.spawn(move || read(&reader)).is_err() {
+            read(&shown);
+        }
+        Ok(Self(shown))
     }
 
     /// Whether the recording was cut off.

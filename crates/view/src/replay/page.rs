@@ -4,7 +4,7 @@ use super::{Shown, details, past};
 use crate::series::{History, Series};
 use crate::server::Page;
 use crate::wire::{
-    Asked, Link, Message, Packet, Said, SeriesInfo, frame, nanoseconds, seconds, values,
+    Asked, Link, Message, Packet, Said, SeriesInfo, best, frame, nanoseconds, seconds, values,
 };
 use simbeeotic_record::Links;
 use std::collections::BTreeMap;
@@ -14,8 +14,8 @@ use std::time::Duration;
 /// Packets that go with one frame.
 const PACKETS_MAX: usize = 500;
 
-/// Links that go with one frame: the best.
-pub(crate) const LINKS_MAX: usize = 2000;
+/// How often it is looked whether the recording has been read.
+const READING: Duration = Duration::from_millis(50);
 
 /// How long a page that asks for nothing is left alone.
 const IDLE: Duration = Duration::from_secs(10);
@@ -24,6 +24,8 @@ const IDLE: Duration = Duration::from_secs(10);
 pub(super) struct ReplayPage {
     shown: Arc<Shown>,
     greeted: bool,
+    /// Whether it was told what is known of the whole recording.
+    told: bool,
     vehicle: Option<u32>,
     colour: Option<String>,
     /// What the selected vehicle published.
@@ -48,6 +50,7 @@ impl ReplayPage {
         Self {
             shown,
             greeted: false,
+            told: false,
             vehicle: None,
             colour: None,
             numbers: BTreeMap::new(),
@@ -61,9 +64,12 @@ impl ReplayPage {
         out.push(Said::Error { text }.message());
     }
 
-    fn greet(&mut self, out: &mut Vec<Message>) {
-        let past = &self.shown.past;
-        out.push(self.shown.hello.clone());
+    /// Tells marks, series and wind, once they have been read.
+    fn tell_past(&mut self, out: &mut Vec<Message>) {
+        let Some(past) = self.shown.past.get() else {
+            return;
+        };
+        self.told = true;
         out.push(
             Said::Marks {
                 list: past.marks.clone(),
@@ -79,7 +85,11 @@ impl ReplayPage {
                 out.push(told(id, history.clone()));
             }
         }
-        self.greeted = true;
+        out.extend(past.wind.iter().map(|wind| {
+            let t = seconds(wind.time_ns);
+            let arrows = wind.arrows.clone();
+            Said::Wind { t, arrows }.message()
+        }));
     }
 
     fn select(&mut self, vehicle: u32, time_ns: u64, out: &mut Vec<Message>) {
@@ -88,7 +98,7 @@ impl ReplayPage {
             self.vehicle = Some(vehicle);
             self.numbers = past::of_vehicle(&self.shown.recording, path);
             self.counted = details::count(&self.shown, vehicle);
-            let list: Vec<SeriesInfo> = self.shown.past.series.of_vehicle(vehicle);
+            let list: Vec<SeriesInfo> = self.shown.past().series.of_vehicle(vehicle);
             let known = |info: &SeriesInfo| self.numbers.contains_key(&info.name);
             let list: Vec<SeriesInfo> = list.into_iter().filter(known).collect();
             if !list.is_empty() {
@@ -101,7 +111,7 @@ impl ReplayPage {
 
     fn history(&self, id: u32) -> Option<History> {
         if let Some((column, vehicle)) = Series::parts_of(id) {
-            let list = self.shown.past.series.of_vehicle(vehicle);
+            let list = self.shown.past().series.of_vehicle(vehicle);
             let name = &list.get(column)?.name;
             if self.vehicle == Some(vehicle) {
                 return self.numbers.get(name).cloned();
@@ -109,7 +119,7 @@ impl ReplayPage {
             let path = &self.shown.recording.vehicles().get(vehicle as usize)?.path;
             return past::of_vehicle(&self.shown.recording, path).remove(name);
         }
-        self.shown.past.series.history(id).cloned()
+        self.shown.past().series.history(id).cloned()
     }
 
     /// Sends one frame of a fetch, and what happened since the one before.
@@ -127,18 +137,20 @@ impl ReplayPage {
         }
         fetch.told_ns = time_ns;
         fetch.next += 1;
-        out.push(Message::Binary(values(time_s, &self.values(time_s))));
+        if let Some(past) = shown.past.get() {
+            let values = values(time_s, &self.values(&past.series, time_s));
+            out.push(Message::Binary(values));
+        }
         if let Some(columns) = shown.film.frame(&shown.recording, left) {
             let colour = self.colour.as_ref();
-            let colour = colour.and_then(|by| shown.past.column(by, time_s));
+            let colour = colour.and_then(|by| shown.past().column(by, time_s));
             out.push(Message::Binary(frame(&columns, colour.as_deref())));
         } else {
             Self::error(out, format!("the recording is damaged at {time_s} s"));
         }
     }
 
-    fn values(&self, time_s: f64) -> Vec<(u32, f64)> {
-        let series = &self.shown.past.series;
+    fn values(&self, series: &Series, time_s: f64) -> Vec<(u32, f64)> {
         let run = series.statistics_from(0).into_iter();
         let run = run.filter_map(|info| Some((info.id, series.history(info.id)?.at(time_s))));
         let mut list: Vec<(u32, f64)> = run.collect();
@@ -199,20 +211,15 @@ impl ReplayPage {
         let radio = |place: u32| radios.get(place as usize).copied().flatten();
         let heard = links.links.iter().filter(|link| link.received > 0);
         let list = heard.filter_map(|link| {
-            let share = link.received as f32 / link.sent.max(link.received) as f32;
-            Some((radio(link.from)?, radio(link.to)?, link.rssi_dbm, share))
+            Some((
+                radio(link.from)?,
+                radio(link.to)?,
+                link.rssi_dbm,
+                link.share(),
+            ))
         });
         best(list.collect())
     }
-}
-
-/// The best of too many links: those that are heard loudest.
-pub(crate) fn best(mut list: Vec<Link>) -> Vec<Link> {
-    if list.len() > LINKS_MAX {
-        list.sort_by(|a, b| b.2.total_cmp(&a.2));
-        list.truncate(LINKS_MAX);
-    }
-    list
 }
 
 fn told(id: u32, history: History) -> Message {
@@ -251,7 +258,7 @@ impl Page for ReplayPage {
                 }
             }
             Asked::Colour { by } => {
-                let names = self.shown.past.series.names();
+                let names = self.shown.past().series.names();
                 match by.as_ref().filter(|by| !names.contains(by)) {
                     Some(none) => Self::error(
                         out,
@@ -295,10 +302,16 @@ impl Page for ReplayPage {
 
     fn speak(&mut self, out: &mut Vec<Message>) -> Duration {
         if !self.greeted {
-            self.greet(out);
+            self.greeted = true;
+            out.push(self.shown.hello.clone());
+            // What is there at once goes first: the rest may take a while.
+            return Duration::ZERO;
+        }
+        if !self.told {
+            self.tell_past(out);
         }
         let Some(mut fetch) = self.fetch.take() else {
-            return IDLE;
+            return if self.told { IDLE } else { READING };
         };
         let over = fetch.next >= fetch.times_ns.len();
         self.go_on(&mut fetch, out);

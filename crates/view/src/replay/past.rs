@@ -1,14 +1,17 @@
-//! What is read of a recording once: marks, statistics, and what vehicles published.
+//! What is read of a recording once: marks, statistics, wind, and what vehicles published.
 
 use super::vehicle_of;
 use crate::series::{History, Series};
 use crate::wire::{Mark, seconds};
-use simbeeotic_record::{Metrics, Recording};
+use simbeeotic_record::{Metrics, Recording, Wind};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Marks that a page is told.
 const MARKS_MAX: usize = 5000;
+
+/// Winds that a page is told: 10 kB each.
+const WINDS_MAX: usize = 120;
 
 /// Bytes of columns that are kept to colour vehicles by.
 const COLUMNS_BYTES: usize = 32 << 20;
@@ -24,6 +27,8 @@ pub(super) struct Past {
     pub(super) marks: Vec<Mark>,
     pub(super) marks_dropped: u64,
     pub(super) series: Series,
+    /// In the order of their times: each holds until the next one.
+    pub(super) wind: Vec<Wind>,
     /// What vehicles published, at some times: by the name of the series.
     columns: BTreeMap<String, Columns>,
 }
@@ -31,10 +36,16 @@ pub(super) struct Past {
 impl Past {
     pub(super) fn read(recording: &Recording, places: &BTreeMap<String, u32>) -> Self {
         let (marks, marks_dropped) = marks(recording, places);
+        let mut wind = Thin::new(WINDS_MAX);
+        recording
+            .wind_in(0..=u64::MAX)
+            .flatten()
+            .for_each(|it| wind.push(it));
         let mut past = Self {
             marks,
             marks_dropped,
             series: Series::new(places.len()),
+            wind: wind.list,
             columns: BTreeMap::new(),
         };
         past.read_series(recording, places);
@@ -171,7 +182,7 @@ fn marks(recording: &Recording, places: &BTreeMap<String, u32>) -> (Vec<Mark>, u
         let who = who(&line.path).into_iter().collect();
         (seconds(line.time_ns), "log".to_owned(), who, line.text)
     });
-    let mut thin = Thin::default();
+    let mut thin = Thin::new(MARKS_MAX);
     let mark = |(t, kind, who, text): (f64, String, Vec<u32>, String)| Mark {
         t,
         kind: kind.into(),
@@ -189,26 +200,26 @@ fn marks(recording: &Recording, places: &BTreeMap<String, u32>) -> (Vec<Mark>, u
 }
 
 /// Every n-th of a list whose length is not known before.
-struct Thin {
-    list: Vec<Mark>,
+struct Thin<T> {
+    list: Vec<T>,
+    most: usize,
     every: u64,
     seen: u64,
 }
 
-impl Default for Thin {
-    fn default() -> Self {
+impl<T> Thin<T> {
+    fn new(most: usize) -> Self {
         Self {
             list: Vec::new(),
+            most,
             every: 1,
             seen: 0,
         }
     }
-}
 
-impl Thin {
-    fn push(&mut self, mark: Mark) {
+    fn push(&mut self, item: T) {
         if self.seen.is_multiple_of(self.every) {
-            if self.list.len() >= MARKS_MAX {
+            if self.list.len() >= self.most {
                 let mut keep = false;
                 self.list.retain(|_| {
                     keep = !keep;
@@ -216,7 +227,7 @@ impl Thin {
                 });
                 self.every *= 2;
             }
-            self.list.push(mark);
+            self.list.push(item);
         }
         self.seen += 1;
     }
@@ -228,7 +239,7 @@ mod tests {
 
     #[test]
     fn marks_are_thinned_evenly() {
-        let mut thin = Thin::default();
+        let mut thin = Thin::new(MARKS_MAX);
         for t in 0..100_000 {
             thin.push(Mark {
                 t: f64::from(t),

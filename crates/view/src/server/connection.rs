@@ -4,11 +4,11 @@ use super::door::Door;
 use super::guard::Refusal;
 use super::head::{Head, NoHead};
 use super::{PAGES_MAX, Shared, assets, stream};
-use std::io::{Read, Write};
+use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What a connection's thread needs on its stack at most.
 pub(super) const STACK: usize = 512 * 1024;
@@ -155,7 +155,7 @@ fn refuse(stream: TcpStream, (status, text): Refusal) {
 /// Sends an answer, and lets the other side read it: a socket that is closed with unread bytes in it
 /// takes back what was sent.
 fn send(mut stream: TcpStream, head: &[u8], body: &[u8]) {
-    if stream.write_all(head).is_err() || stream.write_all(body).is_err() {
+    if write_within(&stream, &[head, body].concat(), WRITE_TIME).is_err() {
         return;
     }
     let _ = stream.shutdown(Shutdown::Write);
@@ -169,9 +169,53 @@ fn send(mut stream: TcpStream, head: &[u8], body: &[u8]) {
     }
 }
 
+/// Writes all of it, or gives up when the time is over, however slowly it is read.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "how long a stranger may hold a thread is wall time"
+)]
+fn write_within(mut stream: &TcpStream, bytes: &[u8], time: Duration) -> io::Result<()> {
+    let begun = Instant::now();
+    let mut left = bytes;
+    while !left.is_empty() {
+        let time = time.saturating_sub(begun.elapsed());
+        if time.is_zero() {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
+        stream.set_write_timeout(Some(time))?;
+        match stream.write(left) {
+            Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+            Ok(count) => left = &left[count..],
+            Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
+            Err(e) => return Err(e),
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn who_reads_a_byte_now_and_then_holds_an_answer_no_longer_than_who_reads_none() {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
+        let at = listener.local_addr().expect("it is bound");
+        let mut reader = TcpStream::connect(at).expect("it listens");
+        let (stream, _) = listener.accept().expect("somebody comes");
+        let trickle = std::thread::spawn(move || {
+            let mut byte = [0; 4096];
+            for _ in 0..50 {
+                let _ = reader.read(&mut byte);
+                std::thread::sleep(Duration::from_millis(20));
+            }
+        });
+        let much = vec![7; 64 << 20];
+        let written = write_within(&stream, &much, Duration::from_millis(300));
+        assert!(written.is_err());
+        drop(stream);
+        assert!(trickle.join().is_ok());
+    }
 
     #[test]
     fn who_finds_no_place_gives_none_back() {

@@ -190,7 +190,12 @@ impl Server {
 
     /// Says what is shown. Once: a second time changes nothing.
     pub fn show(&self, source: Arc<dyn Source>) {
-        let _ = self.shared.source.set(source);
+        self.screen().show(source);
+    }
+
+    /// By which another thread says what is shown.
+    pub fn screen(&self) -> Screen {
+        Screen(Arc::clone(&self.shared))
     }
 
     /// The address of the page, with its token if it needs one.
@@ -215,6 +220,17 @@ impl Server {
     /// How it is watched, from any thread.
     pub fn visitors(&self) -> Visitors {
         Visitors(Arc::clone(&self.shared))
+    }
+}
+
+/// Where a server's source is shown.
+#[derive(Clone)]
+pub struct Screen(Arc<Shared>);
+
+impl Screen {
+    /// Says what is shown. Once: a second time changes nothing.
+    pub fn show(&self, source: Arc<dyn Source>) {
+        let _ = self.0.source.set(source);
     }
 }
 

@@ -11,6 +11,7 @@ mod said;
 pub use asked::{Asked, BadMessage};
 pub use binary::{Columns, frame, values};
 pub use hello::{Facts, Forms, Hello, Mode, Replayed};
+pub(crate) use said::best;
 pub use said::{
     BatteryDetails, BeamsDetails, Details, Link, Mark, MountDetails, Packet, PacketDetails, Part,
     RadioDetails, Said, SensorDetails, SeriesInfo,

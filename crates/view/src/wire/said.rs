@@ -128,6 +128,18 @@ pub struct Packet {
 /// From, to, mean RSSI (dBm), share received.
 pub type Link = (u32, u32, f32, f32);
 
+/// Links that one message has.
+const LINKS_MAX: usize = 2000;
+
+/// The best of too many links: those that are heard loudest.
+pub(crate) fn best(mut list: Vec<Link>) -> Vec<Link> {
+    if list.len() > LINKS_MAX {
+        list.sort_by(|a, b| b.2.total_cmp(&a.2));
+        list.truncate(LINKS_MAX);
+    }
+    list
+}
+
 /// About one vehicle.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Details {

@@ -3,6 +3,7 @@
 use crate::client::{Client, raw, until};
 use crate::serve;
 use proptest::prelude::*;
+use simbeeotic_view::server::PAGES_MAX;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::atomic::Ordering;
@@ -109,6 +110,43 @@ fn connections_that_say_nothing_keep_nobody_out() {
         .collect();
     is_well(at);
     drop(silent);
+}
+
+#[test]
+fn heads_that_come_letter_by_letter_keep_nobody_out() {
+    let (_server, _, at) = serve(0);
+    let mut slow: Vec<TcpStream> = (0..100)
+        .map(|_| TcpStream::connect(at).expect("the server accepts"))
+        .collect();
+    for letter in b"GET / HTTP/1.1\r\nHost:" {
+        for stream in &mut slow {
+            // Some have been closed to make room.
+            let _ = stream.write_all(&[*letter]);
+        }
+    }
+    is_well(at);
+    drop(slow);
+}
+
+#[test]
+fn pages_that_say_no_more_or_vanish_give_their_places_back() {
+    let (server, _, at) = serve(0);
+    let half: Vec<TcpStream> = (0..PAGES_MAX).map(|_| open(at)).collect();
+    until("they are pages", || server.visitors().now() == PAGES_MAX);
+    for stream in &half {
+        stream
+            .shutdown(std::net::Shutdown::Write)
+            .expect("it is open");
+    }
+    until("the half open have gone", || server.visitors().now() == 0);
+    is_well(at);
+    drop(half);
+    // With bytes that nobody read: the operating system says that they are gone, and not politely.
+    let (server, _, at) = serve(1 << 16);
+    let reset: Vec<TcpStream> = (0..PAGES_MAX).map(|_| open(at)).collect();
+    until("they are pages", || server.visitors().now() == PAGES_MAX);
+    drop(reset);
+    until("they have gone", || server.visitors().now() == 0);
 }
 
 #[test]

@@ -92,6 +92,42 @@ fn foreign_origins_are_refused() {
     assert_eq!(echo.pauses.load(std::sync::atomic::Ordering::Relaxed), 0);
 }
 
+/// A foreign page whose name was made to point here (DNS rebinding) sends that name as host and as origin.
+#[test]
+fn a_name_that_was_made_to_point_here_is_refused() {
+    let (_server, echo, at) = serve(0);
+    let rebound = format!("attacker.example:{}", at.port());
+    let origin = format!("http://{rebound}");
+    assert_eq!(status(&get(at, "/", &rebound)), "403");
+    assert_eq!(connect(at, &rebound, &origin, "").err(), Some(403));
+    // Nor does the name help as an address in the first line.
+    let absolute = format!("GET http://{rebound}/ HTTP/1.1\r\nHost: {rebound}\r\n\r\n");
+    assert_eq!(status(&raw(at, absolute.as_bytes())), "403");
+    assert_eq!(echo.pauses.load(std::sync::atomic::Ordering::Relaxed), 0);
+}
+
+#[test]
+fn the_other_loopback_is_served_by_its_own_name() {
+    let options = Options {
+        address: "::1".parse().expect("an address"),
+        port: Some(0),
+    };
+    let server = match Server::start(options) {
+        Ok(server) => server,
+        // A machine without IPv6.
+        Err(ServerError::NoSuchAddress { .. } | ServerError::Io { .. }) => return,
+        Err(error) => panic!("{error}"),
+    };
+    let at = server.address();
+    let host = format!("[::1]:{}", at.port());
+    assert_eq!(server.url(), format!("http://{host}/"), "and no token");
+    assert_eq!(status(&get(at, "/", &host)), "200");
+    assert_eq!(status(&get(at, "/", "[::2]")), "403");
+    assert!(connect(at, &host, &format!("http://{host}"), "").is_ok());
+    let other = format!("http://127.0.0.1:{}", at.port());
+    assert_eq!(connect(at, &host, &other, "").err(), Some(403));
+}
+
 #[test]
 fn elsewhere_a_token_is_wanted_in_every_request() {
     let all = Options {

@@ -1,0 +1,142 @@
+//! Numbers of the run as a whole over time, and the batteries of its vehicles: sampled now and then.
+
+use super::viewer::Cast;
+use crate::series::Series;
+use simbeeotic_model::View;
+use simbeeotic_model::radio::{Counters, Loss};
+use std::time::Duration;
+
+/// Virtual time between two samples, while the run is slow enough.
+const SAMPLE_S: f64 = 0.1;
+
+/// The least and the greatest wall time between two of them.
+const SAMPLE_LEAST: Duration = Duration::from_millis(20);
+const SAMPLE_MOST: Duration = Duration::from_millis(250);
+
+/// Batteries that are looked at in a second of wall time, while a page is there and while none is: those of a
+/// larger swarm take turns. A look at one takes half a microsecond.
+const BATTERIES_WATCHED: f64 = 10_000.0;
+const BATTERIES_ALONE: f64 = 2_000.0;
+
+/// Where the statistics stand among the series, and what they were at the last sample.
+#[derive(Default)]
+pub(super) struct Statistics {
+    speed: usize,
+    contacts: usize,
+    /// `None`: there are no radios.
+    air: Option<Air>,
+    energy: usize,
+    last: Option<(u64, Duration)>,
+    last_touches: u64,
+    batteries: Batteries,
+}
+
+#[derive(Default)]
+struct Air {
+    sent: usize,
+    received: usize,
+    delivery: usize,
+    last: Counters,
+}
+
+/// The vehicles that have batteries, and what each has spent.
+#[derive(Default)]
+struct Batteries {
+    vehicles: Vec<u32>,
+    spent_j: Vec<f64>,
+    next: usize,
+}
+
+impl Statistics {
+    /// Names the series that this run has.
+    pub(super) fn start(view: &View<'_>, cast: &Cast, radios: bool, series: &mut Series) -> Self {
+        let mut statistics = Self {
+            speed: series.statistic("speed", "1"),
+            contacts: series.statistic("contacts", "1/s"),
+            air: radios.then(|| Air {
+                sent: series.statistic("packets/sent", "1/s"),
+                received: series.statistic("packets/received", "1/s"),
+                delivery: series.statistic("packets/delivery", "1"),
+                last: Counters::default(),
+            }),
+            ..Self::default()
+        };
+        let batteries = &mut statistics.batteries;
+        for (vehicle, id) in (0..).zip(&cast.bodies) {
+            if let Some(battery) = view.battery(*id) {
+                batteries.vehicles.push(vehicle);
+                series.publish("battery/soc", "1", vehicle, battery.soc);
+            }
+        }
+        batteries.spent_j = vec![0.0; batteries.vehicles.len()];
+        if !batteries.vehicles.is_empty() {
+            statistics.energy = series.statistic("energy", "J");
+        }
+        statistics
+    }
+
+    /// Whether it is time for a sample; `last`: there is no other to come.
+    pub(super) fn due(&mut self, now_ns: u64, wall: Duration, last: bool) -> bool {
+        let (from_ns, from) = *self.last.get_or_insert((now_ns, wall));
+        let passed_s = now_ns.saturating_sub(from_ns) as f64 * 1e-9;
+        let waited = wall.saturating_sub(from);
+        let due = waited >= SAMPLE_MOST || (passed_s >= SAMPLE_S && waited >= SAMPLE_LEAST);
+        passed_s > 0.0 && (due || last)
+    }
+
+    /// Takes a sample. `touches`: contacts since the start.
+    pub(super) fn sample(
+        &mut self,
+        view: &View<'_>,
+        cast: &Cast,
+        (wall, watched): (Duration, bool),
+        touches: u64,
+        series: &mut Series,
+    ) {
+        let now_ns = view.now().nanos();
+        let (from_ns, from) = self.last.replace((now_ns, wall)).unwrap_or((now_ns, wall));
+        let passed_s = now_ns.saturating_sub(from_ns) as f64 * 1e-9;
+        let waited_s = wall.saturating_sub(from).as_secs_f64();
+        series.set(self.speed, passed_s / waited_s.max(1e-9));
+        let new = touches - std::mem::replace(&mut self.last_touches, touches);
+        series.set(self.contacts, new as f64 / passed_s);
+        if let Some(air) = &mut self.air {
+            let now = view.radio_counters(None);
+            let before = std::mem::replace(&mut air.last, now);
+            let since =
+                |what: fn(&Counters) -> u64| what(&now).saturating_sub(what(&before)) as f64;
+            let (sent, received) = (since(|c| c.sent), since(|c| c.received));
+            let missed = since(|c| c.missed().saturating_sub(c.lost(Loss::OutOfRange)));
+            series.set(air.sent, sent / passed_s);
+            series.set(air.received, received / passed_s);
+            series.set(air.delivery, received / (received + missed));
+        }
+        if !self.batteries.vehicles.is_empty() {
+            let rate = if watched {
+                BATTERIES_WATCHED
+            } else {
+                BATTERIES_ALONE
+            };
+            self.batteries.look(view, cast, rate * waited_s, series);
+            series.set(self.energy, self.batteries.spent_j.iter().sum());
+        }
+        series.sampled(view.now().as_secs_f64());
+    }
+}
+
+impl Batteries {
+    /// Looks at the next ones, as many as that, at least at one and at none twice.
+    fn look(&mut self, view: &View<'_>, cast: &Cast, count: f64, series: &mut Series) {
+        let all = self.vehicles.len();
+        for _ in 0..(count as usize).clamp(1, all) {
+            self.next = (self.next + 1) % all;
+            let vehicle = self.vehicles[self.next];
+            let id = cast.bodies[vehicle as usize];
+            if let Some((state, books)) = view.battery_books(id) {
+                series.publish("battery/soc", "1", vehicle, state.soc);
+                let spent = books.start - books.stored + books.charged;
+                self.spent_j[self.next] = spent.get();
+            }
+        }
+    }
+}
