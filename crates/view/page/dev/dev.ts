@@ -1,6 +1,6 @@
 // The scene by itself, fed with a made-up swarm: for looking at it and for measuring. Not part of the page.
 //
-// ?n=100 vehicles, ?dark=1, ?flowers=2000, ?world=meadow|town|none, ?run=1: it flies. `window.dev` is for scripts.
+// ?n=100 vehicles, ?dark=1, ?flowers=2000, ?world=meadow|town|none, ?ground=grass, ?run=1: it flies. `window.dev` is for scripts.
 
 import { createScene } from "../src/scene/scene";
 import type { Layers, SceneView } from "../src/scene/index";
@@ -114,7 +114,7 @@ const hello: Hello = {
     radii_m: who.map((i) => (i < 2 ? 0.5 : 0.06)), colors: who.map(() => "#f0b21e"), looks: who.map((i) => (i === 0 ? 1 : i === 1 ? 2 : 0)),
   },
   looks, forms,
-  stage: { ground: "#7da36a", plane: worldName !== "hills", radius_m: Number(ask.get("radius") ?? 500), props: stageProps },
+  stage: { ground: "#7da36a", texture: ask.get("ground") ?? "", plane: worldName !== "hills", radius_m: Number(ask.get("radius") ?? 500), props: stageProps },
 };
 
 const phase = who.map(() => [random() * 6.28, random() * 6.28, random(), random(), 0.3 + random() * 0.7, random() * 6.28]);

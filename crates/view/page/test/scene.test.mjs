@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 const folder = fileURLToPath(new URL("..", import.meta.url));
 const { outputFiles } = await build({
   stdin: {
-    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
+    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay", "near", "darts"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
     resolveDir: folder,
   },
   bundle: true,
@@ -16,7 +16,7 @@ const { outputFiles } = await build({
   mainFields: ["module", "main"],
   write: false,
 });
-const { math, colours, paint, picking, camera, beams, radio, overlay } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
+const { math, colours, paint, picking, camera, beams, radio, overlay, near: nearby, darts } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 
 const near = (a, b, within = 1e-6) => {
   assert.equal(a.length, b.length);
@@ -278,4 +278,29 @@ test("a stronger signal is drawn stronger, between nothing and all", () => {
   assert.equal(radio.strength(-200), 0);
   assert.equal(radio.strength(0), 1);
   assert.ok(radio.strength(-60) > radio.strength(-80));
+});
+
+test("near are those that are large on the screen and in the picture, whatever else there is", () => {
+  const orbit = new camera.Orbit();
+  orbit.resize(800, 600);
+  orbit.set({ from: [0, 0, 10], at: [0, 0, 0], flat: false });
+  orbit.apply();
+  const view = orbit.camera.projectionMatrix.clone().multiply(orbit.camera.matrixWorldInverse).elements;
+  const scale = (orbit.camera.projectionMatrix.elements[5] * 600) / 2;
+  // In the middle, below the ground and far, behind the eye, beside the picture, nowhere, in the middle and tiny.
+  const positions = Float32Array.from([0, 0, 8, 0, 0, -900, 0, 0, 12, 500, 0, 8, NaN, 0, 0, 0.1, 0, 8]);
+  const frame = { positions, n: 6 };
+  const swarm = { a: frame, b: frame, f: 0.5 };
+  const out = new Float32Array(4);
+  const radii = [0.1, 0.1, 0.1, 0.1, 0.1, 0.001];
+  assert.equal(nearby.findNear(swarm, [0, 1, 2, 3, 4, 5, 99], radii, view, scale, 9, out), 1);
+  assert.equal(out[0], 0);
+  assert.equal(nearby.findNear(swarm, [0, 0, 0, 0, 0, 0], radii, view, scale, 9, out), 6, "more than fit are counted");
+});
+
+test("a dart never gets too small to see, and a nearer one is larger", () => {
+  const least = (depth) => darts.Darts.least(4, depth, 100, false);
+  assert.ok(least(1e6) >= 3 && least(1e6) < least(100) && least(100) < least(60) && least(1e-9) <= 5.4);
+  assert.equal(least(100), 4);
+  assert.equal(darts.Darts.least(4, 1, 100, true), 4);
 });
