@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { compare, kept, verdict } from "./pictures.mjs";
+import { compare, difference, kept, verdict } from "./pictures.mjs";
 import { drawn, execute, launch, open, place, rest, scenario, serve, time, until, untilTime } from "./browser.mjs";
 
 let browser, folder, run, page;
@@ -207,6 +207,23 @@ test("layers are switched by boxes and keys", async () => {
   assert.equal(await on(), !before);
   await page.keyboard.press("2");
   assert.equal(await on(), before);
+});
+
+test("the wind of a recording is shown, and hidden", async () => {
+  await page.locator("#layer-wind").waitFor();
+  assert.equal((await place(page)).layers.wind, true);
+  const picture = async () => {
+    await rest(page);
+    return page.locator("#scene").screenshot({ animations: "disabled" });
+  };
+  const windy = await picture();
+  await page.keyboard.press("6");
+  assert.equal((await place(page)).layers.wind, false);
+  const { mean } = await difference(page, windy, await picture());
+  assert.ok(mean > 0.05, `without arrows the picture is another: ${mean}`);
+  await page.keyboard.press("6");
+  const again = await difference(page, windy, await picture());
+  assert.ok(again.mean < mean / 4, `with them it is as it was: ${again.mean}`);
 });
 
 test("the help sheet shows the keys, and goes again", async () => {
