@@ -4427,10 +4427,14 @@ varying vec2 vAt;
 varying float vAway;
 void main() {
   vec3 own = uColour;
+  float detail = 0.0;
   #ifdef TEXTURED
   // Twice, at widths that do not divide each other: the eye finds no tiles.
   vec3 picture = mix(texture2D(uTexture, vAt / uTile).rgb, texture2D(uTexture, vAt / (uTile * 7.3)).rgb, 0.35);
   own = mix(own, picture, uReady);
+  // What is lighter or darker than the picture as a whole stays so, however much hues are toned down.
+  vec3 whole = textureLod(uTexture, vec2(0.5), 16.0).rgb;
+  detail = dot(picture - whole, vec3(0.3, 0.6, 0.1)) * uReady;
   #endif
   vec2 w = max(fwidth(vAt), 1e-9) * uViewport.z;
   float wide = max(w.x, w.y);
@@ -4439,7 +4443,7 @@ void main() {
   float r = length(vAt);
   // The world ends: beyond it the ground pales, and has no lines.
   float beyond = smoothstep(uWorldRadius, uWorldRadius * 1.15, r);
-  base = mix(base * (1.0 + 0.045 * patches), vec3(dot(base, vec3(0.3, 0.6, 0.1))), beyond * 0.5);
+  base = mix(base * (1.0 + 0.045 * patches + 0.8 * detail), vec3(dot(base, vec3(0.3, 0.6, 0.1))), beyond * 0.5);
   // Where the sun shines it is as light as the theme has it.
   vec3 colour = fromSrgb(base) * mix(uShade, vec3(1.0), sunAt(vec3(vAt, 0.0)));
   float line = gridAt(vAt, w) * (1.0 - beyond);
