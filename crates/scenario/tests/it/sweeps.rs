@@ -320,6 +320,8 @@ fn a_sweep_of_too_many_runs_is_refused_with_their_number() {
         };
         assert!(bad("bees.toml", &text).contains("error: "), "{sweep}");
     }
+    let text = bad("bees.toml", &with("[sweeep]\nseeds = 3\n"));
+    assert!(text.contains("did you mean `sweep`?"), "{text}");
     let text = bad("bees.toml", &with("[looping]\n"));
     assert!(
         text.contains("what varies stands in `[sweep]` here"),

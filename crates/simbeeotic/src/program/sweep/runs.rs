@@ -128,7 +128,11 @@ fn work(shared: &Shared<'_>) {
         if lock(&shared.going).is_none() {
             return;
         }
-        let row = match caught(shared, run) {
+        let row = caught(|| one(shared, run)).unwrap_or_else(|panic| {
+            // It fails its own run, and not the others.
+            Err(Box::new(Row::failed(run, shared.sweep.seed(run), panic)))
+        });
+        let row = match row {
             Ok(Some(row)) => row,
             // Interrupted: it did not come to its end, and nor did its recording.
             Ok(None) => {
@@ -162,13 +166,13 @@ fn work(shared: &Shared<'_>) {
     }
 }
 
-/// One run. A part that panics while it is built fails its own run, and not the others.
-fn caught(shared: &Shared<'_>, run: usize) -> Result<Option<Row>, Box<Row>> {
-    catch_unwind(AssertUnwindSafe(|| one(shared, run))).unwrap_or_else(|panic| {
+/// What an act comes to; if it panics, with what words. A run catches its own panics, but not those of a part that
+/// is being built.
+fn caught<T>(act: impl FnOnce() -> T) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(act)).map_err(|panic| {
         let text = panic.downcast_ref::<String>().map(String::as_str);
         let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
-        let error = format!("panicked: {}", text.unwrap_or("without a word"));
-        Err(Box::new(Row::failed(run, shared.sweep.seed(run), error)))
+        format!("panicked: {}", text.unwrap_or("without a word"))
     })
 }
 
@@ -204,7 +208,7 @@ pub(super) fn estimate_s(sweep: &Sweep, options: &SweepOptions, runs: usize) -> 
         Some(s.time.init_s + s.wall_s / share)
     };
     let last = sweep.len() - 1;
-    let both = catch_unwind(AssertUnwindSafe(|| Some([sample(0)?, sample(last)?]))).ok()??;
+    let both = caught(|| Some([sample(0)?, sample(last)?])).ok()??;
     Some(0.5 * (both[0] + both[1]) * runs as f64 / jobs.max(1) as f64)
 }
 
@@ -245,5 +249,23 @@ fn one(shared: &Shared<'_>, run: usize) -> Result<Option<Row>, Box<Row>> {
         }
         None if outcome.summary.ended == INTERRUPTED => Ok(None),
         None => Ok(Some(Row::of(run, &outcome.summary))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::caught;
+
+    #[test]
+    fn a_panic_becomes_words() {
+        assert_eq!(caught(|| 3), Ok(3));
+        let wings = "wings";
+        let said = |act: fn(&str)| caught(|| act(wings)).expect_err("it panics");
+        assert_eq!(said(|part| panic!("no {part}")), "panicked: no wings");
+        assert_eq!(said(|_| panic!("no wings")), "panicked: no wings");
+        assert_eq!(
+            said(|_| std::panic::panic_any(3)),
+            "panicked: without a word"
+        );
     }
 }
