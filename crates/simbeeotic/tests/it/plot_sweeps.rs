@@ -194,6 +194,29 @@ fn links_of_several_runs_are_means_and_the_unsure_ones_are_dashed() {
 }
 
 #[test]
+fn delivery_of_several_runs_is_their_mean_or_a_curve_each() {
+    let program = Program::new();
+    for seed in 1..=3 {
+        talk(&program, &format!("{seed}.mcap"), seed, 4);
+    }
+    let runs = ["1.mcap", "2.mcap", "3.mcap", "-o", "x.svg"];
+    let all = [&["delivery"], &runs[..]].concat();
+    let said = words(&program, &all);
+    let mean = "mean over runs, and where it is with 95 % confidence";
+    assert!(said.contains(&mean.to_owned()), "{said:?}");
+    let by = words(&program, &[&all[..], &["--by", "seed"]].concat());
+    assert!(
+        by.contains(&"seed 3".to_owned()) && !by.contains(&mean.to_owned()),
+        "{by:?}"
+    );
+    let rssi = words(
+        &program,
+        &[&["rssi"], &runs[..], &["--by", "seed"]].concat(),
+    );
+    assert!(rssi.contains(&"seed 3".to_owned()), "{rssi:?}");
+}
+
+#[test]
 fn the_three_files_of_a_table_are_one_picture() {
     let program = Program::new();
     let csv = "run,seed,n,trace_hash,ended,error,trips\n\
@@ -233,17 +256,19 @@ fn the_three_files_of_a_table_are_one_picture() {
     assert_eq!(draw("t.json"), svg);
     assert_eq!(draw("t.parquet"), svg);
     let words = crate::plot::words(&svg);
+    // A long caption has two lines.
+    let caption = [words[1].as_str(), words[2].as_str()].join(" ");
     assert!(
-        words[1].contains("6 runs; 2 seeds at each place"),
+        caption.contains("6 runs; 2 seeds at each place"),
         "{}",
-        words[1]
+        caption
     );
     assert!(
-        words[1].contains("2 of them have no number and are left out"),
+        caption.contains("2 of them have no number and are left out"),
         "{}",
-        words[1]
+        caption
     );
-    assert!(words[1].contains("cut at 0"), "5 ± 12.7: {}", words[1]);
+    assert!(caption.contains("cut at 0"), "5 ± 12.7: {}", caption);
     // No line goes through 20, where no run has a number: blue are whiskers alone.
     for line in lines(&svg, "#0072b2") {
         let places = line.iter().map(|point| point[0]);

@@ -105,9 +105,9 @@ pub(in crate::program) enum Plot {
     /// A map from above: who hears whom, how often and how loud
     #[command(after_help = LINK_EXAMPLES)]
     Links(LinkOptions),
-    /// How much of what is sent is received, over distance; several recordings are pooled
+    /// How much of what is sent is received, over distance
     Delivery(DistanceOptions),
-    /// How loud it is received, over distance; several recordings are pooled
+    /// How loud it is received, over distance; frames of several recordings are pooled
     Rssi(DistanceOptions),
     /// Why frames were lost, over time; several recordings are added up
     Losses(LossOptions),
@@ -364,6 +364,10 @@ pub(crate) struct DistanceOptions {
     /// Width of the bins, with a unit: "2 m" [default: about 30 of them]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) bin: Option<String>,
+    /// Of several recordings: what sets them apart: a value of the scenario (model.bee.count), seed, file
+    /// [default: they are runs of one and the same]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
 }
 
 #[derive(Args)]

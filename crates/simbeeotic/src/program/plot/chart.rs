@@ -19,6 +19,17 @@ pub(crate) enum Marker {
     Cross,
 }
 
+/// Forms in the order of use, so that curves are told apart without colours, too.
+pub(crate) const MARKERS: [Marker; 7] = [
+    Marker::Disc,
+    Marker::Square,
+    Marker::Diamond,
+    Marker::Up,
+    Marker::Down,
+    Marker::Plus,
+    Marker::Cross,
+];
+
 /// Points, and the line through them.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
@@ -180,11 +191,15 @@ pub(crate) fn curve_band(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
 
 /// The range that a curve's points were found in, as a band, or as bars where there is no line.
 pub(crate) fn curve_spread(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
-    let ends = ends(panel, curve);
     if curve.line.is_some() {
         curve_band(sheet, panel, curve);
     }
-    for [low, high] in ends {
+    curve_whiskers(sheet, panel, curve);
+}
+
+/// The range that a curve's points were found in, as bars.
+pub(crate) fn curve_whiskers(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+    for [low, high] in ends(panel, curve) {
         if (low[1] - high[1]).abs() < 1.0 {
             continue;
         }

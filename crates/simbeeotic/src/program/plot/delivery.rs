@@ -3,10 +3,14 @@
 use super::super::Failure;
 use super::arguments::DistanceOptions;
 use super::axes::{Axis, Panel, grouped, nice};
-use super::palette::series;
+use super::band::{half_width, mean, units};
+use super::chart::{Curve, MARKERS, curve_band, curve_line, curve_mark, curve_whiskers};
+use super::map::{Column, LEGEND};
+use super::palette::{dashes, series};
 use super::sheet::{Anchor, FAINT, HEAD, SMALL, Sheet};
-use super::source::Sources;
-use super::stats::{BINS_MAX, Bins, quantile, wilson};
+use super::source::{Source, Sources};
+use super::stats::{BINS_MAX, Bin, Bins, quantile, wilson};
+use super::sweep::groups;
 use simbeeotic_record::{Link, Links};
 use simbeeotic_units::Length;
 
@@ -19,92 +23,204 @@ const MARGIN: f64 = 1.2;
 /// Of more dots a picture is not clearer.
 const DOTS_MAX: usize = 4000;
 
+/// The frames of some runs by distance.
+struct Runs {
+    /// Of each run its seed and its frames.
+    each: Vec<(Option<u64>, Bins)>,
+    all: Bins,
+    /// Of links and periods their distance and RSSI.
+    dots: Vec<[f64; 2]>,
+}
+
 /// Delivery ratio over distance, and below how many frames it is the ratio of.
 pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (bins, caption) = binned(sources, options, BINS, MARGIN)?;
+    let groups = groups(sources, options.by.as_deref())?;
+    let (runs, caption) = binned(sources, options, BINS, MARGIN)?;
     let [width, height] = options.plot.size();
     let title = options.plot.title("Delivery over distance");
     let mut sheet = Sheet::titled(width, height, title, &caption);
     let (upper, lower) = panels(
         &sheet,
-        &bins,
+        &runs.all,
         Axis::exact("delivery ratio", 0.0, 1.0, 5.0),
-        most(&bins, |bin| bin.sent),
+        most(&runs.all, |bin| bin.sent),
+        groups.len() > 1,
     );
     upper.draw(&mut sheet, false);
     lower.draw(&mut sheet, true);
-    counts(&mut sheet, &lower, &bins, |bin| bin.sent);
+    counts(&mut sheet, &lower, &runs.all, |bin| bin.sent);
 
-    let blue = series(0);
-    let seen = || bins.bins.iter().enumerate().filter(|(_, bin)| bin.sent > 0);
-    let share = |place: usize| bins.bins[place].received as f64 / bins.bins[place].sent as f64;
-    let curve = seen().map(|(place, _)| upper.place(bins.middle_m(place), share(place)));
-    sheet.line(curve.collect(), blue.thin(0.35), 1.8);
-    for (place, bin) in seen() {
-        let middle = bins.middle_m(place);
-        let [low, high] = wilson(bin.received, bin.sent);
-        let [low, high] = [low, high].map(|share| upper.place(middle, share));
-        sheet.line(vec![low, high], blue, 1.4);
-        for [x, y] in [low, high] {
-            sheet.line(vec![[x - 4.0, y], [x + 4.0, y]], blue, 1.4);
+    let several = groups.iter().any(|group| group.runs.len() > 1);
+    let mut column = Column::beside(&upper);
+    let curves: Vec<Curve> = (groups.iter().enumerate())
+        .map(|(place, group)| {
+            let mine: Vec<_> = group.places.iter().map(|at| &runs.each[*at]).collect();
+            curve(&mine, place, &group.name)
+        })
+        .collect();
+    for curve in &curves {
+        match several {
+            true => curve_band(&mut sheet, &upper, curve),
+            false => curve_whiskers(&mut sheet, &upper, curve),
         }
-        sheet.disc(upper.place(middle, share(place)), 4.2, blue, 1.0);
     }
-    let [_, top, right, _] = upper.edges;
-    let key = "received over sent; bars: Wilson's 95 % interval, if frames are independent";
-    sheet.words([right, top - 9.0], key, SMALL, Anchor::End, FAINT);
+    for curve in &curves {
+        curve_line(&mut sheet, &upper, curve);
+        if groups.len() > 1 {
+            let [x, y] = column.line_at();
+            column.line(&mut sheet, curve.ink, 1.8, &curve.name);
+            curve_mark(&mut sheet, curve.marker, curve.ink, [x, y]);
+        }
+    }
+    said(
+        &mut sheet,
+        &upper,
+        match several {
+            true => "mean over runs, and where it is with 95 % confidence",
+            false => "received over sent; bars: Wilson's 95 % interval, if frames are independent",
+        },
+    );
     Ok(sheet)
+}
+
+/// The delivery ratios of some runs.
+fn curve(runs: &[&(Option<u64>, Bins)], place: usize, name: &str) -> Curve {
+    let count = runs
+        .iter()
+        .map(|(_, bins)| bins.bins.len())
+        .max()
+        .unwrap_or(0);
+    let known = (0..count).filter_map(|bin| {
+        let (middle, ends) = ratio(runs, bin)?;
+        Some(([runs[0].1.middle_m(bin), middle], ends))
+    });
+    let (points, spread) = known.unzip();
+    Curve {
+        name: name.to_owned(),
+        ink: series(place),
+        marker: MARKERS[place % MARKERS.len()],
+        points,
+        spread,
+        line: Some(1.8),
+    }
+}
+
+/// The delivery ratio in a bin, and its 95 % interval: of one run by Wilson, of several of their mean, by Student.
+/// `None` if nothing was sent.
+fn ratio(runs: &[&(Option<u64>, Bins)], bin: usize) -> Option<(f64, [f64; 2])> {
+    let bins = runs
+        .iter()
+        .filter_map(|(seed, bins)| Some((*seed, bins.bins.get(bin)?)));
+    let sent: Vec<_> = bins.filter(|(_, bin)| bin.sent > 0).collect();
+    let share = |bin: &Bin| bin.received as f64 / bin.sent as f64;
+    if let ([(_, bin)], 1) = (sent.as_slice(), runs.len()) {
+        return Some((share(bin), wilson(bin.received, bin.sent)));
+    }
+    let shares: Vec<_> = sent.iter().map(|(seed, bin)| (*seed, share(bin))).collect();
+    let shares = units(&shares);
+    let middle = mean(&shares)?;
+    let half = half_width(&shares).unwrap_or(0.0);
+    Some((middle, [(middle - half).max(0.0), (middle + half).min(1.0)]))
 }
 
 /// RSSI of what was received over distance.
 pub(super) fn rssi(sources: &Sources, options: &DistanceOptions) -> Result<Sheet, Failure> {
-    let (mut bins, caption) = binned(sources, options, BINS_RSSI, 1.0)?;
-    let dots = scattered(sources)?;
-    if dots.is_empty() {
+    let groups = groups(sources, options.by.as_deref())?;
+    let (runs, caption) = binned(sources, options, BINS_RSSI, 1.0)?;
+    if runs.dots.is_empty() {
         return Err(Failure::input(format!(
             "{} has links, but nothing was received at these times: there is no RSSI",
             sources.first().file()
         )));
     }
-    for bin in &mut bins.bins {
-        bin.rssi_dbm.sort_by(|a, b| a.0.total_cmp(&b.0));
-    }
     let [width, height] = options.plot.size();
     let title = options.plot.title("RSSI over distance");
     let mut sheet = Sheet::titled(width, height, title, &caption);
-    let levels = || dots.iter().map(|dot| dot[1]);
+    let levels = || runs.dots.iter().map(|dot| dot[1]);
     let low = levels().fold(f64::INFINITY, f64::min);
     let high = levels().fold(f64::NEG_INFINITY, f64::max);
     let (upper, lower) = panels(
         &sheet,
-        &bins,
+        &runs.all,
         Axis::stretched("RSSI, dBm", low - 1.0, high + 1.0, 6.0),
-        most(&bins, |bin| bin.received),
+        most(&runs.all, |bin| bin.received),
+        groups.len() > 1,
     );
     upper.draw(&mut sheet, false);
     lower.draw(&mut sheet, true);
-    counts(&mut sheet, &lower, &bins, |bin| bin.received);
-
+    counts(&mut sheet, &lower, &runs.all, |bin| bin.received);
+    if groups.len() > 1 {
+        let mut column = Column::beside(&upper);
+        for (place, group) in groups.iter().enumerate() {
+            let levels = Levels::of(group.places.iter().map(|at| &runs.each[*at].1), &upper);
+            let ink = series(place);
+            let band = levels.low.iter().chain(levels.high.iter().rev());
+            sheet.area(band.copied().collect(), ink.thin(0.15));
+            sheet.line_with(levels.middle, ink, 2.4, dashes(place));
+            column.line_with(&mut sheet, ink, 2.4, dashes(place), &group.name);
+        }
+        said(
+            &mut sheet,
+            &upper,
+            "median, and 5 % to 95 % of what was received",
+        );
+        return Ok(sheet);
+    }
     let (blue, orange) = (series(0), series(3));
-    for [distance, level] in &dots {
-        sheet.disc(upper.place(*distance, *level), 2.2, blue.thin(0.25), 0.0);
+    for [distance, level] in thinned(&runs.dots) {
+        sheet.disc(upper.place(distance, level), 2.2, blue.thin(0.25), 0.0);
     }
-    let at = |share: f64| -> Vec<[f64; 2]> {
-        let places = bins.bins.iter().enumerate();
-        let levels = places.filter_map(|(place, bin)| {
-            let level = quantile(&bin.rssi_dbm, share)?;
-            Some(upper.place(bins.middle_m(place), level))
-        });
-        levels.collect()
-    };
-    for share in [0.05, 0.95] {
-        sheet.line(at(share), orange.thin(0.7), 1.2);
+    let levels = Levels::of(runs.each.iter().map(|(_, bins)| bins), &upper);
+    for line in [levels.low, levels.high] {
+        sheet.line(line, orange.thin(0.7), 1.2);
     }
-    sheet.line(at(0.5), orange, 2.4);
-    let [_, top, right, _] = upper.edges;
-    let key = "dots: a link's mean in a period; lines: median, 5 % and 95 % of what was received";
-    sheet.words([right, top - 9.0], key, SMALL, Anchor::End, FAINT);
+    sheet.line(levels.middle, orange, 2.4);
+    said(
+        &mut sheet,
+        &upper,
+        "dots: a link's mean in a period; lines: median, 5 % and 95 % of what was received",
+    );
     Ok(sheet)
+}
+
+/// Quantiles of RSSI over distance, pixels.
+struct Levels {
+    low: Vec<[f64; 2]>,
+    middle: Vec<[f64; 2]>,
+    high: Vec<[f64; 2]>,
+}
+
+impl Levels {
+    /// Of all frames of some runs together.
+    fn of<'b>(runs: impl Iterator<Item = &'b Bins>, panel: &Panel) -> Self {
+        let runs: Vec<&Bins> = runs.collect();
+        let count = runs.iter().map(|bins| bins.bins.len()).max().unwrap_or(0);
+        let mut levels = Self {
+            low: Vec::new(),
+            middle: Vec::new(),
+            high: Vec::new(),
+        };
+        for bin in 0..count {
+            let all = runs.iter().filter_map(|bins| bins.bins.get(bin));
+            let mut all: Vec<(f32, u32)> = all.flat_map(|bin| &bin.rssi_dbm).copied().collect();
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (line, share) in [
+                (&mut levels.low, 0.05),
+                (&mut levels.middle, 0.5),
+                (&mut levels.high, 0.95),
+            ] {
+                let level = quantile(&all, share);
+                line.extend(level.map(|level| panel.place(runs[0].middle_m(bin), level)));
+            }
+        }
+        levels
+    }
+}
+
+/// What is drawn, above a panel at its right.
+fn said(sheet: &mut Sheet, panel: &Panel, text: &str) {
+    let [_, top, right, _] = panel.edges;
+    sheet.words([right, top - 9.0], text, SMALL, Anchor::End, FAINT);
 }
 
 /// The links by distance, and what the picture is of.
@@ -113,9 +229,10 @@ fn binned(
     options: &DistanceOptions,
     count: f64,
     margin: f64,
-) -> Result<(Bins, String), Failure> {
-    let links = sources.links()?;
-    let all = || links.iter().flat_map(|l| &l.links);
+) -> Result<(Runs, String), Failure> {
+    let links = sources.all().iter().map(Source::links);
+    let links: Vec<Vec<Links>> = links.collect::<Result<_, _>>()?;
+    let all = || links.iter().flatten().flat_map(|l| &l.links);
     let farthest = |m: f64, link: &Link| m.max(f64::from(link.distance_m));
     let farthest_m = all().fold(0.0, farthest);
     let heard_m = all().filter(|link| link.received > 0).fold(0.0, farthest);
@@ -127,10 +244,26 @@ fn binned(
         None => nice((reach_m / count).max(1e-3)),
         Some(text) => bin_width(text, reach_m)?,
     };
-    let mut bins = Bins::new(width_m, reach_m);
-    links.iter().for_each(|links| bins.add(links));
-    let caption = caption(sources, &links, &bins);
-    Ok((bins, caption))
+    let none = || Bins::new(width_m, reach_m);
+    let each = (sources.all().iter().zip(&links))
+        .map(|(source, links)| (source.recording.seed(), filled(none(), links.iter())))
+        .collect();
+    let pooled = filled(none(), links.iter().flatten());
+    let heard = all().filter(|link| link.received > 0 && link.rssi_dbm.is_finite());
+    let dots = heard.map(|link| [f64::from(link.distance_m), f64::from(link.rssi_dbm)]);
+    let caption = caption(sources, &links.concat(), &pooled);
+    let runs = Runs {
+        each,
+        dots: dots.collect(),
+        all: pooled,
+    };
+    Ok((runs, caption))
+}
+
+/// Bins with the frames of some periods.
+fn filled<'l>(mut bins: Bins, links: impl Iterator<Item = &'l Links>) -> Bins {
+    links.for_each(|links| bins.add(links));
+    bins
 }
 
 fn bin_width(text: &str, reach_m: f64) -> Result<f64, Failure> {
@@ -153,7 +286,7 @@ fn caption(sources: &Sources, links: &[Links], bins: &Bins) -> String {
         l.time_ns.saturating_sub((l.period_s * 1e9).round() as u64)
     });
     let radios = links.iter().map(|l| l.radios.len()).max().unwrap_or(0);
-    let sum = |part: fn(&super::stats::Bin) -> u64| -> String {
+    let sum = |part: fn(&Bin) -> u64| -> String {
         grouped(&bins.bins.iter().map(part).sum::<u64>().to_string())
     };
     let mut more = format!(
@@ -170,26 +303,21 @@ fn caption(sources: &Sources, links: &[Links], bins: &Bins) -> String {
     sources.caption(first, last, &more)
 }
 
-/// The mean RSSI of links and periods over their distance; every n-th if there are too many.
-fn scattered(sources: &Sources) -> Result<Vec<[f64; 2]>, Failure> {
-    let links = sources.links()?;
-    let heard = links.iter().flat_map(|l| &l.links);
-    let heard = heard.filter(|link| link.received > 0 && link.rssi_dbm.is_finite());
-    let dots: Vec<[f64; 2]> = heard
-        .map(|link| [f64::from(link.distance_m), f64::from(link.rssi_dbm)])
-        .collect();
+/// Every n-th of too many.
+fn thinned(dots: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
     let step = dots.len().div_ceil(DOTS_MAX).max(1);
-    Ok(dots.into_iter().step_by(step).collect())
+    dots.iter().copied().step_by(step)
 }
 
-fn most(bins: &Bins, part: fn(&super::stats::Bin) -> u64) -> u64 {
+fn most(bins: &Bins, part: fn(&Bin) -> u64) -> u64 {
     bins.bins.iter().map(part).max().unwrap_or(0)
 }
 
 /// The large panel, and the small one with the numbers of frames below it.
-fn panels(sheet: &Sheet, bins: &Bins, y: Axis, most: u64) -> (Panel, Panel) {
+fn panels(sheet: &Sheet, bins: &Bins, y: Axis, most: u64, keyed: bool) -> (Panel, Panel) {
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
-    let (left, right, bottom) = (96.0, width - 28.0, height - 62.0);
+    let key = if keyed { LEGEND } else { 4.0 };
+    let (left, right, bottom) = (96.0, width - 24.0 - key, height - 62.0);
     let top = HEAD + 24.0;
     let split = top + 0.72 * (bottom - top);
     let x = Axis::exact("distance, m", 0.0, bins.end_m(), 10.0);
@@ -207,7 +335,7 @@ fn panels(sheet: &Sheet, bins: &Bins, y: Axis, most: u64) -> (Panel, Panel) {
 }
 
 /// How many frames there are in each bin.
-fn counts(sheet: &mut Sheet, panel: &Panel, bins: &Bins, part: fn(&super::stats::Bin) -> u64) {
+fn counts(sheet: &mut Sheet, panel: &Panel, bins: &Bins, part: fn(&Bin) -> u64) {
     let gap = 0.06 * bins.width_m;
     for (place, bin) in bins.bins.iter().enumerate() {
         let (from, count) = (place as f64 * bins.width_m, part(bin) as f64);
@@ -216,5 +344,43 @@ fn counts(sheet: &mut Sheet, panel: &Panel, bins: &Bins, part: fn(&super::stats:
         if count > 0.0 {
             sheet.rectangle(low, high, series(0).thin(0.55));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(seed: u64, received: u64, sent: u64) -> (Option<u64>, Bins) {
+        let bin = Bin {
+            sent,
+            received,
+            ..Bin::default()
+        };
+        let mut bins = Bins::new(1.0, 1.0);
+        bins.bins = vec![bin];
+        (Some(seed), bins)
+    }
+
+    #[test]
+    fn of_one_run_the_interval_is_of_its_frames_and_of_several_of_their_mean() {
+        let runs = [
+            run(1, 30, 100),
+            run(2, 5, 10),
+            run(3, 70, 100),
+            run(4, 0, 0),
+        ];
+        let runs: Vec<_> = runs.iter().collect();
+        assert_eq!(ratio(&runs[..1], 0), Some((0.3, wilson(30, 100))));
+        // s = 0.2, t(2) = 4.3027; the last sent nothing.
+        let (middle, [low, high]) = ratio(&runs, 0).expect("a ratio");
+        let half = 4.3027 * 0.2 / 3.0_f64.sqrt();
+        assert!(
+            (middle - 0.5).abs() < 1e-12 && (low - 0.5 + half).abs() < 1e-4,
+            "{low}"
+        );
+        assert!((high - 0.5 - half).abs() < 1e-4, "{high}");
+        assert_eq!(ratio(&runs[3..], 0), None);
+        assert_eq!(ratio(&runs, 1), None);
     }
 }

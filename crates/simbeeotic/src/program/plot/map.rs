@@ -90,7 +90,7 @@ fn panel(edges: [f64; 4], [west, south, east, north]: [f64; 4]) -> Panel {
             label,
             middle - half,
             middle + half,
-            (pixels / 90.0).max(2.5),
+            (pixels / 90.0).max(4.0),
         )
     };
     let mut panel = Panel {
@@ -245,6 +245,11 @@ impl Column {
     /// How many lines there is still room for.
     pub(super) fn room(&self) -> usize {
         ((self.bottom - self.y) / 20.0).max(0.0) as usize
+    }
+
+    /// The middle of the next line's sample.
+    pub(super) fn line_at(&self) -> [f64; 2] {
+        [self.left + 12.0, self.y - 5.0]
     }
 
     /// What a line's colour says.

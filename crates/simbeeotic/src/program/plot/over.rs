@@ -4,7 +4,7 @@ use super::super::Failure;
 use super::arguments::SweepPlotOptions;
 use super::axes::{Axis, Panel};
 use super::band::{half_width, mean, units};
-use super::chart::{Curve, Marker, curve_band, curve_line, curve_mark, curve_spread};
+use super::chart::{Curve, MARKERS, curve_band, curve_line, curve_mark, curve_spread};
 use super::limits::Limits;
 use super::palette::series;
 use super::runs::{Column, Runs, Values};
@@ -14,17 +14,7 @@ use super::sweep::short;
 use simbeeotic_view::render::words;
 
 /// As many colours are told apart.
-const COLOURS: usize = 7;
-/// Forms, so that curves are told apart in print without colours, too.
-const MARKERS: [Marker; COLOURS] = [
-    Marker::Disc,
-    Marker::Square,
-    Marker::Diamond,
-    Marker::Up,
-    Marker::Down,
-    Marker::Plus,
-    Marker::Cross,
-];
+const COLOURS: usize = MARKERS.len();
 /// So much of the room of a category has bars in it.
 const FILLED: f64 = 0.7;
 /// Most values of `--x` that are categories: more are no picture, but a table.
@@ -167,7 +157,11 @@ pub(super) fn over(options: &SweepPlotOptions) -> Result<Sheet, Failure> {
         part.label = match (alone.as_slice(), unit.as_str()) {
             ([one], "") => one.base().to_owned(),
             ([one], unit) => format!("{}, {unit}", one.base()),
-            (_, unit) => unit.to_owned(),
+            (several, unit) => {
+                let names = several.iter().map(|metric| metric.base());
+                let parts = names.chain(Some(unit)).filter(|part| !part.is_empty());
+                parts.collect::<Vec<_>>().join(", ")
+            }
         };
         if part.numbers().next().is_none() {
             return Err(Failure::input(format!(
@@ -235,7 +229,7 @@ fn points<'a>(
     numbers.collect()
 }
 
-fn x_axis(x: &Column, values: &Values) -> Axis {
+fn x_axis(x: &Column, values: &Values, whole: bool) -> Axis {
     match values {
         Values::Numbers { low, high, unit } => {
             let label = match unit.as_str() {
@@ -247,7 +241,10 @@ fn x_axis(x: &Column, values: &Values) -> Axis {
                 // One value: in the middle.
                 false => 0.1 * low.abs().max(1.0),
             };
-            Axis::exact(label, low - margin, high + margin, 10.0)
+            let mut axis = Axis::exact(label, low - margin, high + margin, 10.0);
+            // Between two counts there is none.
+            axis.step = axis.step.max(if whole { 1.0 } else { 0.0 });
+            axis
         }
         Values::Words(names) => Axis::named(short(&x.name), names.clone()),
     }
@@ -290,7 +287,9 @@ fn draw(
         false => 0.0,
     };
     let (left, right) = (96.0, f64::from(width) - 28.0 - room);
-    let below = x_axis(x, values).turned(right - left).unwrap_or(0.0);
+    let mut places = (parts.iter().flat_map(|part| &part.lines)).flat_map(|line| &line.points);
+    let across = x_axis(x, values, places.all(|(place, _)| place.fract() == 0.0));
+    let below = across.turned(right - left).unwrap_or(0.0);
     let (top, bottom) = (HEAD + 6.0, f64::from(height) - 62.0 - below);
     let gap = 24.0;
     let each = (bottom - top - gap * (parts.len() - 1) as f64) / parts.len() as f64;
@@ -299,7 +298,7 @@ fn draw(
         let up = top + (each + gap) * at as f64;
         let panel = Panel {
             edges: [left, up, right, up + each],
-            x: x_axis(x, values),
+            x: across.clone(),
             y: y_axis(part, bars),
         };
         panel.draw(&mut sheet, at + 1 == parts.len());

@@ -152,8 +152,31 @@ pub(crate) struct Sheet {
 pub(crate) const SMALL: f64 = 14.0;
 pub(crate) const NORMAL: f64 = 16.0;
 const TITLE: f64 = 21.0;
+/// Of a caption that has two lines.
+const CLOSE: f64 = 12.5;
 /// Room for the title and the line below it.
 pub(crate) const HEAD: f64 = 74.0;
+
+/// The two lines of a caption that has no room on one.
+fn halves(caption: &str, room: f64) -> Option<(&str, &str)> {
+    if words::width(caption, CLOSE) <= room {
+        return None;
+    }
+    let spaces = caption.match_indices(' ').map(|(at, _)| at);
+    let longer = |at: &usize| {
+        let [a, b] = [&caption[..*at], &caption[*at..]].map(|part| words::width(part, CLOSE));
+        a.max(b)
+    };
+    // Behind a part of the sentence, if both lines have room then.
+    let parts = spaces
+        .clone()
+        .filter(|at| caption[..*at].ends_with([';', ':']));
+    let part = parts
+        .filter(|at| longer(at) <= room)
+        .min_by(|a, b| longer(a).total_cmp(&longer(b)));
+    let at = part.or_else(|| spaces.min_by(|a, b| longer(a).total_cmp(&longer(b))))?;
+    Some((&caption[..at], &caption[at + 1..]))
+}
 
 impl Sheet {
     /// A picture with a title, and a line that says what is seen.
@@ -165,14 +188,20 @@ impl Sheet {
         };
         let room = f64::from(width) - 48.0;
         let fit = |text: &str, size: f64| size.min(size * room / words::width(text, size).max(1.0));
-        sheet.words([24.0, 36.0], title, fit(title, TITLE), Anchor::Start, TEXT);
-        sheet.words(
-            [24.0, 60.0],
-            caption,
-            fit(caption, SMALL),
-            Anchor::Start,
-            FAINT,
-        );
+        let said = |sheet: &mut Self, y: f64, text: &str, most: f64, ink: Ink| {
+            sheet.words([24.0, y], text, fit(text, most), Anchor::Start, ink);
+        };
+        match halves(caption, room) {
+            None => {
+                said(&mut sheet, 36.0, title, TITLE, TEXT);
+                said(&mut sheet, 60.0, caption, SMALL, FAINT);
+            }
+            Some((first, second)) => {
+                said(&mut sheet, 30.0, title, TITLE, TEXT);
+                said(&mut sheet, 51.0, first, CLOSE, FAINT);
+                said(&mut sheet, 68.0, second, CLOSE, FAINT);
+            }
+        }
         sheet
     }
 
@@ -295,5 +324,25 @@ impl Sheet {
             upwards: true,
             halo: false,
         }));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_caption_without_room_has_two_lines_and_loses_no_word() {
+        assert_eq!(halves("meadow, seed 1", 500.0), None);
+        let caption = "talk, 15 runs, seeds 1 to 5, 1 s to 20 s: mean over runs, without hive, band: 95 % confidence of \
+                       the mean, cut at 0 and 1";
+        let (first, second) = halves(caption, 552.0).expect("too long for one");
+        assert_eq!(format!("{first} {second}"), caption);
+        assert!(first.ends_with(':'), "{first}");
+        assert_eq!(
+            halves(&"a".repeat(500), 500.0),
+            None,
+            "there is nowhere to break it"
+        );
     }
 }

@@ -78,12 +78,6 @@ impl Sources {
         &self.0[0]
     }
 
-    /// The links of all, period by period.
-    pub(super) fn links(&self) -> Result<Vec<Links>, Failure> {
-        let links = self.0.iter().map(Source::links);
-        Ok(links.collect::<Result<Vec<_>, _>>()?.concat())
-    }
-
     /// What was run, and the times that are drawn, for the line below the title.
     pub(super) fn caption(&self, first_ns: u64, last_ns: u64, more: &str) -> String {
         if let [one] = self.0.as_slice() {
