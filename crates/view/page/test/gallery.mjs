@@ -65,12 +65,13 @@ try {
   if (wanted("replay") || wanted("dark")) {
     const recording = join(scratch, "meadow.mcap");
     await execute("run", scenario("meadow"), "--end-time", "60 s", "--record", recording, "--quiet");
-    const run = await serve("view", recording);
     for (const [name, view] of [
       ["replay", "#t=32&select=scout-3&camera=30,-34,22,0,2,3&layers=links,packets,beams,trails,grid,world&colour=kind&theme=light"],
       ["dark", "#t=41&select=bee-7&camera=-24,-30,18,0,0,3&layers=links,packets,beams,trails,grid,world&colour=battery&theme=dark"],
     ]) {
       if (!wanted(name)) continue;
+      // One each: the program ends some time after its last page.
+      const run = await serve("view", recording);
       const page = await open(browser, run.url + view, { viewport: size });
       await page.locator("#parameters").waitFor({ state: "attached" });
       await until(page, () => {
@@ -78,8 +79,8 @@ try {
         return frame && Math.abs(frame.time - window.simbeeotic.time_s()) < 0.01;
       });
       await take(page, name);
+      await run.kill();
     }
-    await run.kill();
   }
   if (wanted("many")) {
     const run = await serve(

@@ -132,6 +132,9 @@ test("labels of an axis tell its steps apart, and are short", () => {
   assert.deepEqual([3.98, 4, 4.02].map((x) => axis.labelOf(x, 0.02)), ["3.98", "4.00", "4.02"]);
   assert.equal(axis.labelOf(2e-6, 1e-6), "2×10⁻⁶");
   assert.equal(axis.timeLabel(90, 30), "1:30");
+  assert.deepEqual(axis.timeRange(0.2, 53), [0, 53]);
+  assert.deepEqual(axis.timeRange(40, 53), [40, 53]);
+  assert.deepEqual(axis.timeRange(null, null), [0, 1]);
 });
 
 test("a long series is thinned, and keeps its newest value and its span", () => {

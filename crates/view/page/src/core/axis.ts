@@ -72,6 +72,12 @@ export function timeLabel(t_s: number, step_s: number): string {
 /** Steps of a scale of time that people count in. */
 export const timeSteps = [1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 21_600, 43_200, 86_400, 172_800, 432_000, 864_000];
 
+/** From the beginning of the run, if the first value is not long after it. */
+export function timeRange(first_s: number | null, last_s: number | null): [number, number] {
+  if (first_s === null || last_s === null) return [0, 1];
+  return [first_s < 0.1 * last_s ? 0 : first_s, Math.max(last_s, first_s + 1e-3)];
+}
+
 /** From zero, if that does not make the line flat; with some air above and below. */
 export function rangeOf(low: number | null, high: number | null): [number, number] {
   if (low === null || high === null) return [0, 1];

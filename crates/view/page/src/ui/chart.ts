@@ -2,7 +2,7 @@
 // click goes there.
 
 import uPlot from "uplot";
-import { labelOf, meanOver, measureOf, rangeOf, timeLabel, timeSteps, told } from "../core/axis";
+import { labelOf, meanOver, measureOf, rangeOf, timeLabel, timeRange, timeSteps, told } from "../core/axis";
 import { button, h, say } from "../core/dom";
 import { time, words } from "../core/format";
 import { icon } from "../core/icons";
@@ -153,11 +153,11 @@ export class Chart {
         padding: [size_px * 0.6, size_px * 1.6, 0, 0],
         legend: { show: false },
         scales: {
-          x: replay ? { time: false, range: [replay.span.from_s, Math.max(replay.span.to_s, replay.span.from_s + 1e-3)] } : { time: false },
+          x: replay ? { time: false, range: [replay.span.from_s, Math.max(replay.span.to_s, replay.span.from_s + 1e-3)] } : { time: false, range: (_, first, last) => timeRange(first, last) },
           y: { range: range ?? ((_, low, high) => rangeOf(low, high)) },
         },
         axes: [
-          { ...axis(timeLabel), size: size_px * 1.7, space: size_px * 5, incrs: timeSteps },
+          { ...axis(timeLabel), size: size_px * 1.7, space: size_px * 3.8, incrs: timeSteps },
           { ...axis(labelOf), size: margin, space: size_px * 2 },
         ],
         series: [{}, { stroke: colour("--accent"), width: 1.5, points: { show: false }, spanGaps: true }],
