@@ -3,7 +3,8 @@
 //!
 //! Two measures of one thing. The *share* is the processor time that the viewer itself used on the run's thread, over all
 //! that this thread used in the same run: exact, and hardly disturbed by what else the machine does; but it leaves out what
-//! the viewer costs beyond its own code (marks that are noted for it, caches). The *ratio* is the processor time of the
+//! the viewer costs beyond its own code (marks that are noted for it, caches). On a busy machine the run gets less than
+//! a second of processor time in each second, and as many frames; *at 30/s* corrects for that. The *ratio* is the processor time of the
 //! run's thread over that of the run without a viewer: it has all, with the noise of two runs. Wall time is told beside
 //! both: where the page's threads find no free processor, they take theirs from the run.
 
@@ -69,6 +70,9 @@ struct Row {
     viewer_s: Option<f64>,
     /// The one over the other.
     share: Option<f64>,
+    /// The share of its looks if there had been 30 frames in each second of the run's own processor time, rather than of
+    /// wall time: what the share comes to where the run has a processor for itself.
+    share_at_30: Option<f64>,
     /// What the viewer used before the first event: once, however long the run.
     start_s: Option<f64>,
     /// `run_thread_s` over that of the run without a viewer: the median of the rounds.
@@ -130,11 +134,12 @@ pub(super) fn view(options: &Options) -> Result<(), Failure> {
         return say(serde_json::to_string_pretty(&rows).map_err(Failure::run)?);
     }
     say(format!(
-        "{:<16} {:>12} {:>9} {:>7} {:>9} {:>6} {:>9} {:>8} {:>6} {:>8}",
+        "{:<16} {:>12} {:>9} {:>7} {:>8} {:>9} {:>6} {:>9} {:>8} {:>6} {:>8}",
         "",
         "run thread s",
         "viewer s",
         "share",
+        "at 30/s",
         "(start s)",
         "ratio",
         "all cpu s",
@@ -146,11 +151,12 @@ pub(super) fn view(options: &Options) -> Result<(), Failure> {
         let figure = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
         let percent = |share: f64| format!("{:.2} %", share * 100.0);
         say(format!(
-            "{:<16} {:>12} {:>9} {:>7} {:>9} {:>6} {:>9} {:>8.3} {:>6.3} {:>8.1}",
+            "{:<16} {:>12} {:>9} {:>7} {:>8} {:>9} {:>6} {:>9} {:>8.3} {:>6.3} {:>8.1}",
             row.watched,
             figure(row.run_thread_s),
             figure(row.viewer_s),
             row.share.map_or("-".to_owned(), percent),
+            row.share_at_30.map_or("-".to_owned(), percent),
             figure(row.start_s),
             figure(row.ratio),
             figure(row.cpu_s),
@@ -177,6 +183,7 @@ impl Row {
         self.run_thread_s = least(self.run_thread_s, other.run_thread_s);
         self.viewer_s = least(self.viewer_s, other.viewer_s);
         self.share = least(self.share, other.share);
+        self.share_at_30 = least(self.share_at_30, other.share_at_30);
         self.start_s = least(self.start_s, other.start_s);
         self.cpu_s = least(self.cpu_s, other.cpu_s);
         self.wall_s = self.wall_s.min(other.wall_s);
@@ -244,6 +251,8 @@ fn run(loaded: &Loaded, (watched, name): (Watched, &'static str)) -> Result<Row,
         run_thread_s,
         viewer_s: run_thread_s.map(|_| spent.all_s()),
         share: run_thread_s.map(|all_s| spent.all_s() / all_s),
+        share_at_30: (run_thread_s.filter(|_| seen > 0.0))
+            .map(|_| seconds(&spent.looks_ns) / seen * 30.0),
         start_s: run_thread_s.map(|_| seconds(&spent.start_ns)),
         ratio: None,
         cpu_s,
