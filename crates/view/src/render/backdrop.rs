@@ -2,7 +2,8 @@
 
 use super::camera::{Camera, Lens};
 use super::ground;
-use super::light::{Haze, Theme, light_of};
+use super::light::{Haze, Theme, light_of, smooth};
+use super::skins::Skin;
 use super::visible::{CUT, GROUND, SKY};
 use simbeeotic_units::glam::{DVec3, Vec3};
 
@@ -15,7 +16,9 @@ const CELL_LEAST: f64 = 5.0;
 const CELL_FULL: f64 = 24.0;
 /// How strong the lines to the east and to the north through the origin are, and their colours.
 const AXIS_STRONG: f64 = 0.5;
-const AXES: [Vec3; 2] = [Vec3::new(0.75, 0.16, 0.1), Vec3::new(0.1, 0.42, 0.16)];
+const AXES: [Vec3; 2] = [Vec3::new(0.62, 0.11, 0.09), Vec3::new(0.06, 0.34, 0.14)];
+/// How strong the picture of the ground is once more, so many times as large: the eye finds no tiles.
+const AGAIN: (f32, f32) = (0.35, 7.3);
 
 /// What there is to know of the ground.
 #[derive(Clone, Copy, Debug)]
@@ -130,23 +133,29 @@ impl Backdrop {
         (start + sight * depth, sight, depth, pixel)
     }
 
-    /// The light of what is behind everything; `sun` says how much of the sun reaches a place, 0 to 1. With it,
-    /// that share.
+    /// The light of what is behind everything; `skin` is the picture of the ground, `sun` says how much of the sun
+    /// reaches a place, 0 to 1. With the light, that share.
     pub(super) fn light(
         &self,
         what: u32,
         place: [f32; 2],
+        skin: Option<&Skin>,
         sun: impl FnOnce(DVec3) -> f32,
     ) -> (Vec3, f32) {
         let from = self.from(place.map(f64::from));
         match what {
-            GROUND => self.plane(from, sun),
-            CUT => (light_of(self.theme.ground) * self.theme.tone * 0.5, 1.0),
+            GROUND => self.plane(from, skin, sun),
+            CUT => (self.theme.cut, 1.0),
             _ => (self.sky(from), 1.0),
         }
     }
 
-    fn plane(&self, from: [f64; 2], sun: impl FnOnce(DVec3) -> f32) -> (Vec3, f32) {
+    fn plane(
+        &self,
+        from: [f64; 2],
+        skin: Option<&Skin>,
+        sun: impl FnOnce(DVec3) -> f32,
+    ) -> (Vec3, f32) {
         let (start, sight) = self.sight(from);
         let depth = -start.z / sight.z;
         let point = start + sight * depth;
@@ -164,17 +173,29 @@ impl Backdrop {
             }
         };
         let pixel = steps[0].max(steps[1]);
-        let mut own = light_of(self.theme.ground)
-            * (self.theme.tone * ground::uneven([point.x, point.y], pixel));
-        // Beyond the edge of the world the ground pales.
-        let beyond = point.truncate().length() > self.ground.radius_m;
-        if beyond {
-            let grey = own.dot(Vec3::new(0.3, 0.6, 0.1)) * 0.75;
-            own = own.lerp(Vec3::splat(grey), 0.6);
-        }
+        let own = match skin {
+            Some(skin) => {
+                let at = |times: f32| {
+                    let place = [point.x, point.y].map(|x| (x / f64::from(times)) as f32);
+                    skin.at(place, pixel as f32 / times)
+                };
+                at(1.0).lerp(at(AGAIN.1), AGAIN.0)
+            }
+            None => light_of(self.theme.ground).map(f32::sqrt),
+        };
+        let own = self.theme.toned(own);
+        // Beyond the edge of the world the ground pales, and has no lines.
+        let radius = self.ground.radius_m as f32;
+        let beyond = match radius > 0.0 {
+            true => smooth(radius, 1.15 * radius, point.truncate().length() as f32),
+            false => 0.0,
+        };
+        let grey = own.dot(Vec3::new(0.3, 0.6, 0.1));
+        let own = own * ground::uneven([point.x, point.y], pixel);
+        let own = own.lerp(Vec3::splat(grey), 0.5 * beyond);
         let sun = sun(point);
-        let lit = self.theme.lit(own, Vec3::Z, sun);
-        let lit = self.gridded(lit, point, steps, if beyond { 0.4 } else { 1.0 });
+        let lit = own * own * self.theme.shade().lerp(Vec3::ONE, sun);
+        let lit = self.gridded(lit, point, steps, f64::from(1.0 - beyond));
         let lit = match self.haze {
             Some(haze) => haze.over(lit, depth as f32),
             None => lit,
@@ -223,7 +244,7 @@ impl Backdrop {
         match self.camera.lens {
             Lens::Flat { .. } => {
                 let up = (0.5 - 0.5 * from[1] / self.middle[1]).clamp(0.0, 1.0);
-                (self.theme.horizon).lerp(self.theme.zenith, 0.35 * up as f32)
+                (self.theme.horizon).lerp(self.theme.zenith, 0.3 * up as f32)
             }
             Lens::Perspective { .. } => {
                 let (_, sight) = self.sight(from);
@@ -259,7 +280,7 @@ mod tests {
         let mut seen = Visible::new(0, [64, 64]);
         seen.ground(&back);
         let tile = seen.shaded(|sight| {
-            let (light, _) = back.light(sight.face, sight.at, |_| 1.0);
+            let (light, _) = back.light(sight.face, sight.at, None, |_| 1.0);
             (bytes_of(light), false)
         });
         tile.pixels().collect()

@@ -216,12 +216,14 @@ impl<'a> Film<'a> {
             own => own,
         };
         let mut skins = Skins::default();
-        let files = match stage.props.iter().any(|prop| !prop.texture.is_empty()) {
+        let mut textures = stage.props.iter().map(|prop| &prop.texture);
+        let files = match !stage.texture.is_empty() || textures.any(|name| !name.is_empty()) {
             true => recording.attachments()?,
             false => Vec::new(),
         };
         let faces = solid::stage(stage, origin_m, |name| skins.place(name, &files));
         let scenery = Scenery {
+            ground: skins.place(&stage.texture, &files),
             origin_m,
             extent_m: extent_m.max(CLOSE_M),
             reach_m: reach_m(origin_m, [Some(bounds_m), all]),

@@ -2,30 +2,38 @@
 
 use std::sync::OnceLock;
 
-/// Cells of the pattern each way, and how large it is on the ground, m.
+/// Cells of the pattern each way, and how large it is on the ground, m: once small and once large.
 const SIDE: usize = 64;
 const TILE_M: f64 = 61.0;
+const WIDE_M: f64 = 407.0;
+/// How strong it is.
+const STRONG: f32 = 0.045;
 
 /// What the colour of the ground is multiplied by at a place, m, for a pixel so wide there, m: about 1.
 pub(super) fn uneven([x_m, y_m]: [f64; 2], pixel_m: f64) -> f32 {
+    let near = patch([x_m / TILE_M, y_m / TILE_M]);
+    let far = patch([y_m / WIDE_M, x_m / WIDE_M]);
+    // From far away the patches run together.
+    let clear = (1.5 - 1.5 * pixel_m / 10.0).clamp(0.0, 1.0) as f32;
+    1.0 + STRONG * clear * (near + far - 1.0)
+}
+
+/// The pattern at a place, in its widths; 0 to 1.
+fn patch([x, y]: [f64; 2]) -> f32 {
     static PATTERN: OnceLock<Vec<f32>> = OnceLock::new();
     let pattern = PATTERN.get_or_init(pattern);
-    let along = |at_m: f64| {
-        let at = at_m / TILE_M;
+    let along = |at: f64| {
         let at = (at - at.floor()) * SIDE as f64 - 0.5;
         let low = at.floor();
         let place = |k: f64| (k as i64).rem_euclid(SIDE as i64) as usize;
         (place(low), place(low + 1.0), (at - low) as f32)
     };
-    let ((left, right, x), (below, above, y)) = (along(x_m), along(y_m));
+    let ((left, right, x), (below, above, y)) = (along(x), along(y));
     let row = |row: usize| {
         let (a, b) = (pattern[row * SIDE + left], pattern[row * SIDE + right]);
         a + x * (b - a)
     };
-    let value = row(below) + y * (row(above) - row(below));
-    // From far away the patches run together.
-    let clear = (1.5 - 1.5 * pixel_m / 10.0).clamp(0.0, 1.0) as f32;
-    0.88 + 0.24 * (0.5 + clear * (value - 0.5))
+    row(below) + y * (row(above) - row(below))
 }
 
 /// Three grids of chance over each other, the finer the fainter; 0 to 1.
@@ -68,7 +76,7 @@ mod tests {
         let most = values.iter().copied().fold(0.0, f32::max);
         let least = values.iter().copied().fold(2.0, f32::min);
         assert!(
-            most - least > 0.05 && most < 1.13 && least > 0.87,
+            most - least > 0.02 && most < 1.05 && least > 0.95,
             "{least} {most}"
         );
         assert!(
@@ -76,7 +84,7 @@ mod tests {
                 .windows(2)
                 .all(|pair| (pair[0] - pair[1]).abs() < 0.02)
         );
-        assert!((near(3.0) - near(3.0 + TILE_M)).abs() < 1e-4);
+        assert!((patch([0.3, 0.7]) - patch([1.3, -0.3])).abs() < 1e-4);
         assert_eq!(uneven([3.0, 7.0], 100.0), 1.0);
     }
 }

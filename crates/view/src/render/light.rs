@@ -66,8 +66,12 @@ pub(super) struct Theme {
     pub(super) horizon: Vec3,
     /// The colour of the ground.
     pub(super) ground: [u8; 3],
-    /// The light of the lines on the ground.
+    /// The light of the lines on the ground, and of the ground cut through.
     pub(super) grid: Vec3,
+    pub(super) cut: Vec3,
+    /// What a ground of middle grey becomes, 0 to 1; how much stays of what is lighter or darker, and of the hue.
+    level: Vec3,
+    keep: [f32; 2],
     /// What of their colour the things of the world keep, so that vehicles stand out.
     pub(super) tone: f32,
     /// What vehicles shine by themselves.
@@ -87,14 +91,17 @@ impl Theme {
         let [r, g, b, _] = ground;
         if dark {
             Self {
-                sun: Vec3::new(0.31, 0.35, 0.475),
-                sky: Vec3::new(0.21, 0.26, 0.39),
-                earth: Vec3::new(0.1, 0.11, 0.135),
-                zenith: light_of([0x07, 0x0b, 0x14]),
-                horizon: light_of([0x1a, 0x24, 0x33]),
+                sun: Vec3::new(0.36, 0.4, 0.5),
+                sky: Vec3::new(0.28, 0.33, 0.44),
+                earth: Vec3::new(0.16, 0.17, 0.2),
+                zenith: light_of([0x0a, 0x0f, 0x18]),
+                horizon: light_of([0x2a, 0x36, 0x44]),
                 ground: [r, g, b],
-                grid: Vec3::splat(0.3),
-                tone: 0.62,
+                grid: light_of([0x7d, 0x90, 0xa6]),
+                cut: light_of([0x0f, 0x14, 0x1b]),
+                level: Vec3::new(0.15, 0.17, 0.2),
+                keep: [0.12, 0.24],
+                tone: 0.9,
                 glow: 0.5,
                 ink: [0xe8, 0xec, 0xf2],
                 paper: [0x14, 0x18, 0x1f],
@@ -105,11 +112,14 @@ impl Theme {
             Self {
                 sun: Vec3::new(0.86, 0.8, 0.69),
                 sky: Vec3::new(0.46, 0.52, 0.6),
-                earth: Vec3::new(0.25, 0.24, 0.22),
-                zenith: light_of([0x8f, 0xb8, 0xde]),
-                horizon: light_of([0xdf, 0xe8, 0xee]),
+                earth: Vec3::new(0.27, 0.26, 0.24),
+                zenith: light_of([0x7f, 0xab, 0xd6]),
+                horizon: light_of([0xdb, 0xe6, 0xee]),
                 ground: [r, g, b],
-                grid: Vec3::splat(0.02),
+                grid: light_of([0x3c, 0x4a, 0x46]),
+                cut: light_of([0xb3, 0xb9, 0xae]),
+                level: Vec3::new(0.765, 0.77, 0.75),
+                keep: [0.26, 0.8],
                 tone: 1.0,
                 glow: 0.16,
                 ink: [0x22, 0x27, 0x2e],
@@ -140,19 +150,47 @@ impl Theme {
         [r, g, b, alpha]
     }
 
+    /// How the ground is toned down, 0 to 1 a channel as bytes have it: it keeps its hue and its pattern, while the
+    /// theme says how light it is, so that a swarm stands out on every ground.
+    pub(super) fn toned(&self, colour: Vec3) -> Vec3 {
+        let light = colour.dot(Vec3::new(0.3, 0.6, 0.1));
+        let hue = colour - light;
+        // A strong hue is held back: no ground shouts.
+        let hue = hue * (self.keep[1] / (1.0 + 2.2 * hue.length()));
+        let toned = self.level + (light - 0.5) * self.keep[0] + hue;
+        toned.clamp(Vec3::ZERO, Vec3::ONE)
+    }
+
+    /// What a shadow leaves of the light of level ground.
+    pub(super) fn shade(&self) -> Vec3 {
+        self.sky / (self.sky + self.sun * SUN.z)
+    }
+
+    /// What terrain sends on: as light as the theme has it where it faces the sun.
+    pub(super) fn lit_ground(&self, colour: Vec3, normal: Vec3, sun: f32) -> Vec3 {
+        self.lit(colour, normal, sun) / self.lit(Vec3::ONE, SUN, 1.0)
+    }
+
     /// What a shadow leaves of the bytes of level ground, in 256ths.
     pub(super) fn shadow(&self) -> [u16; 3] {
-        let (shade, sun) = (self.sky, self.sky + self.sun * SUN.z);
-        let share = shade / sun;
+        let share = self.shade();
         [share.x, share.y, share.z].map(|x| (x.sqrt() * 256.0) as u16)
     }
 
-    /// The sky in a direction, and the glow around the sun.
+    /// The sky in a direction, and the glow around the sun: pale at the horizon, quickly deeper above it.
     pub(super) fn sky(&self, direction: Vec3) -> Vec3 {
         let low = 1.0 - direction.z.clamp(0.0, 1.0);
+        let low = low * low;
+        let sky = self
+            .zenith
+            .lerp(self.horizon, low * low * (0.35 + 0.65 * low));
+        let sky = match direction.z < 0.0 {
+            true => (self.horizon).lerp(self.cut, 0.5 * smooth(0.0, 0.6, -direction.z)),
+            false => sky,
+        };
         let near = direction.dot(SUN).max(0.0);
         let near = near * near * near * near;
-        self.zenith.lerp(self.horizon, low * low * low) + self.sun * (0.16 * near * near)
+        sky + self.sun * (0.1 * near * near)
     }
 }
 
@@ -179,6 +217,23 @@ mod tests {
         for ((lit, dark), keep) in sun.into_iter().zip(shade).zip(theme.shadow()) {
             let darkened = (u16::from(lit) * keep / 256) as u8;
             assert!(darkened.abs_diff(dark) <= 1, "{darkened} {dark}");
+        }
+    }
+
+    #[test]
+    fn every_ground_becomes_as_light_as_the_theme_wants_and_keeps_its_hue() {
+        for (dark, from, to) in [(false, 0.6, 0.92), (true, 0.08, 0.3)] {
+            let theme = Theme::new(dark, [0; 4]);
+            for ground in [
+                Vec3::new(0.0, 0.4, 0.0),
+                Vec3::ONE,
+                Vec3::new(0.6, 0.5, 0.3),
+            ] {
+                let toned = theme.toned(ground);
+                assert!((from..to).contains(&toned.y), "{ground} {toned}");
+            }
+            let green = theme.toned(Vec3::new(0.1, 0.5, 0.1));
+            assert!(green.y > green.x && green.y > green.z, "{green}");
         }
     }
 

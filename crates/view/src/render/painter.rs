@@ -33,6 +33,8 @@ pub(super) struct Scenery {
     pub(super) reach_m: f64,
     pub(super) faces: Vec<Face>,
     pub(super) skins: Skins,
+    /// The picture of the ground, by its place among them.
+    pub(super) ground: Option<u16>,
     /// Whether the plane `z = 0` is ground.
     pub(super) plane: bool,
     /// How far the world reaches, m.
@@ -200,6 +202,7 @@ impl Painter {
             backdrop: &backdrop,
             faces: &scenery.faces,
             skins: &scenery.skins,
+            ground: scenery.ground,
             shadows: self.shadows.as_ref(),
             theme: &self.theme,
             haze: (!flat).then_some(haze),

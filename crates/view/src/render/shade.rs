@@ -13,6 +13,8 @@ pub(super) struct Shade<'a> {
     pub(super) backdrop: &'a Backdrop,
     pub(super) faces: &'a [Face],
     pub(super) skins: &'a Skins,
+    /// The picture of the ground, by its place among them.
+    pub(super) ground: Option<u16>,
     pub(super) shadows: Option<&'a Shadows>,
     pub(super) theme: &'a Theme,
     pub(super) haze: Option<Haze>,
@@ -24,7 +26,9 @@ impl Shade<'_> {
     pub(super) fn colour(&self, sight: &Sight) -> ([u8; 3], bool) {
         let Some(face) = self.faces.get(sight.face as usize) else {
             let sun = |point: DVec3| self.sun((point - self.origin_m).as_vec3(), Vec3::Z);
-            let (light, sun) = self.backdrop.light(sight.face, sight.at, sun);
+            let (light, sun) =
+                self.backdrop
+                    .light(sight.face, sight.at, self.skins.get(self.ground), sun);
             return (bytes_of(light), sun < 0.5);
         };
         let (point, direction, depth, pixel_m) = self.backdrop.point(sight.at, sight.near);
@@ -60,6 +64,8 @@ impl Shade<'_> {
         };
         let mut light = self.theme.lit(own * self.theme.tone, normal, sun);
         if face.terrain {
+            let toned = self.theme.toned(own.max(Vec3::ZERO).map(f32::sqrt));
+            light = self.theme.lit_ground(toned * toned, normal, sun);
             let level = pixel_m / f64::from(flat.dot(direction).abs().max(0.05));
             light = self.backdrop.gridded(light, point, [level; 2], 1.0);
         } else {
