@@ -1,6 +1,6 @@
 //! The built-in pictures, painted as the page paints them: the same strokes, from the same chance.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use tiny_skia::{
     Color, FillRule, GradientStop, Paint, Path, PathBuilder, Pixmap, Point, RadialGradient, Rect,
     SpreadMode, Stroke, Transform,
@@ -237,7 +237,7 @@ fn tree(on: &mut Easel) {
         );
         on.speckle(420, |on, x, y| {
             let oval = Rect::from_xywh(-6.0, -3.4, 12.0, 6.8).and_then(PathBuilder::from_oval);
-            let turn = (rest(x * y, 3.14) / TAU * 360.0) as f32;
+            let turn = (rest(x * y, PI) / TAU * 360.0) as f32;
             let place = Transform::from_rotate(turn).post_translate(x as f32, y as f32);
             if let Some(leaf) = oval.and_then(|oval| oval.transform(place)) {
                 on.area(&leaf, colour, 1.0);

@@ -134,7 +134,7 @@ const PAINTINGS: Record<string, [tile_m: number, paint: Paint]> = {
         speckle(random, 420, (x, y) => {
           c.fillStyle = shade(70 + 14 * i, 118 + 16 * i, 52, 0.6 + 0.14 * i);
           c.beginPath();
-          c.ellipse(x, y, 6, 3.4, (x * y) % 3.14, 0, 6.3);
+          c.ellipse(x, y, 6, 3.4, (x * y) % Math.PI, 0, 6.3);
           c.fill();
         });
       }
