@@ -254,7 +254,7 @@ impl Figure<'_> {
             };
             match limits
                 .iter_mut()
-                .find(|(n, text, _)| (*n, &*text) == (at, &said))
+                .find(|(n, text, _)| (*n, text) == (at, &said))
             {
                 Some((.., lines)) => lines.push(line),
                 None => limits.push((at, said, vec![line])),

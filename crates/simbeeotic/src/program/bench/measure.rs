@@ -154,7 +154,7 @@ fn limit(
     };
     let longest_s = hopeless(common.clock) * experiment.duration_s();
     let repeat = common.repeat.unwrap_or_else(|| experiment.repeats());
-    let largest = rows.iter().filter(|row| row.case.line == line).next_back();
+    let largest = rows.iter().rfind(|row| row.case.line == line);
     let mut last = largest.map(|row| (row.case.size, whole_s(&row.runs)));
     let mut limit = search.run(&known, |size| {
         let mut runs: Vec<Run> = Vec::new();
