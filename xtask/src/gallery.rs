@@ -186,9 +186,12 @@ fn benches(repo: &Repo, room: &Path, pictures: &[&Picture]) -> Result<usize> {
         let mut arguments = vec!["bench", figure, "-o", &folder];
         arguments.extend(picture.arguments.iter().map(String::as_str));
         program.stdout(&arguments)?;
-        let drawing = Path::new(&folder).join(format!("{figure}.svg"));
-        let target = repo.path(FIGURES).join(format!("{figure}.svg"));
-        std::fs::copy(&drawing, target).with_context(|| drawing.display().to_string())?;
+        // With even axes, and with logarithmic ones.
+        for name in [format!("{figure}.svg"), format!("{figure}-log.svg")] {
+            let drawing = Path::new(&folder).join(&name);
+            let target = repo.path(FIGURES).join(&name);
+            std::fs::copy(&drawing, target).with_context(|| drawing.display().to_string())?;
+        }
         drawn += 1;
     }
     Ok(drawn)
