@@ -185,13 +185,7 @@ fn selection(options: &ExportOptions) -> Result<Selection, Failure> {
         .ok_or_else(|| Failure::input("--every 0: it must be one or more"))?;
     let from = nanos("--from", &options.from, 0)?;
     let to = nanos("--to", &options.to, u64::MAX)?;
-    if from > to {
-        return Err(Failure::input(format!(
-            "--from {} is after --to {}: there is nothing between them",
-            SimTime::from_nanos(from),
-            SimTime::from_nanos(to)
-        )));
-    }
+    input::in_order(from, to, true)?;
     Ok(Selection {
         every,
         models: options.model.iter().cloned().collect(),

@@ -3,6 +3,7 @@
 use super::arguments::ScenarioOptions;
 use super::{Failure, colour, run};
 use crate::library;
+use simbeeotic_kernel::SimTime;
 use simbeeotic_model::{Setup, SetupError};
 use simbeeotic_scenario::{Checked, Loaded, Rejected, Request, check_file, load_file, render, set};
 use simbeeotic_units::Time;
@@ -80,4 +81,16 @@ pub(super) fn time(option: &str, text: &str) -> Result<Time, Failure> {
 pub(super) fn span(option: &str, text: &str) -> Result<Time, Failure> {
     text.parse::<Time>()
         .map_err(|e| Failure::input(format!("{option}: {e}")))
+}
+
+/// A part of a recording: it must not begin after its end, which is that of the recording unless `said`.
+pub(super) fn in_order(from_ns: u64, to_ns: u64, said: bool) -> Result<(), Failure> {
+    if from_ns <= to_ns {
+        return Ok(());
+    }
+    let (from, to) = (SimTime::from_nanos(from_ns), SimTime::from_nanos(to_ns));
+    Err(Failure::input(match said {
+        true => format!("--from {from} is after --to {to}: there is nothing between them"),
+        false => format!("--from {from} is after the end of the recording, {to}"),
+    }))
 }

@@ -175,13 +175,7 @@ impl<'a> Job<'a> {
                 first.map_or(0, |tick| tick.time_ns)
             }
         };
-        if from_ns > to_ns {
-            return Err(Failure::input(format!(
-                "--from {} is after --to {}: there is nothing between them",
-                SimTime::from_nanos(from_ns),
-                SimTime::from_nanos(to_ns)
-            )));
-        }
+        input::in_order(from_ns, to_ns, self.to_ns.is_some())?;
         let film = Film::new(recording, stage, self.choices.clone(), from_ns..=to_ns);
         let mut film = film.map_err(failed)?;
         let times = self.times(from_ns, to_ns)?;

@@ -22,7 +22,7 @@ pictures, to the byte, on any number of threads.";
 pub(super) struct RenderOptions {
     /// The recording
     pub(super) recording: PathBuf,
-    /// The picture to write, .png
+    /// The picture to write, .png; or else a film, by --video
     #[arg(long, short, value_name = "FILE", required_unless_present = "video")]
     pub(super) output: Option<PathBuf>,
     /// The film to write: .mp4, .gif, or pictures with a number each, film-%05d.png

@@ -28,13 +28,7 @@ impl Sources {
             nanos("--from", &options.from, 0)?,
             nanos("--to", &options.to, u64::MAX)?,
         );
-        if from > to {
-            return Err(Failure::input(format!(
-                "--from {} is after --to {}: there is nothing between them",
-                SimTime::from_nanos(from),
-                SimTime::from_nanos(to)
-            )));
-        }
+        input::in_order(from, to, true)?;
         let recordings = listed(&options.recordings)?;
         let sources: Vec<Source> = (recordings.iter())
             .map(|path| Source::open(path, from..=to))
