@@ -216,7 +216,6 @@ impl Island {
                     DVec3::ZERO
                 },
                 attitude: motion.q,
-                radius: motion.radius_m(),
                 linear: motion.a,
                 torque: motion.torque(),
             }

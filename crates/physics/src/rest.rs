@@ -15,20 +15,29 @@
 //! out of it. Forces that obey (2) are sought by going over the points again and again, from the forces
 //! found last; each takes up what is left of the acceleration at its place (projected Gauss-Seidel with
 //! over-relaxation). If (1)
-//! holds in the end the answer is proved, whatever the way to it. If it does not within [`SWEEPS`], the
-//! answer is no, and the island is stepped. Friction is used up to [`SHARE`] only, so that it is the
-//! steps that decide where it may give way.
+//! holds in the end the answer is proved, whatever the way to it: (2) exactly, and (1) up to an acceleration
+//! of 2 mm/s^2 and of 0.02 rad/s^2 of each member by itself ([`LEFT`] and [`LEFT_TURN`]). Whoever speeds up
+//! no more than that from rest is still for as long as the steps ask of one that comes to rest, so they
+//! would not move it either: a ball that can roll stands under a lesser push for ever. If (1) does not hold
+//! within [`SWEEPS`], the answer is no, and the island is stepped. Friction is used up to [`SHARE`] only, so
+//! that it is the steps that decide where it may give way.
 
+use crate::island::LoadedPoint;
+use crate::islands::Island;
+use crate::stepping::{STILL_RATE_RAD_S, STILL_S, STILL_SPEED_M_S};
 use glam::{DMat3, DQuat, DVec3};
 
 /// How often all points are gone over.
 const SWEEPS: usize = 200;
 /// The share of friction that is counted on.
 const SHARE: f64 = 0.95;
-/// What is left of an acceleration, over the greatest that acts, counts as none.
-const LEFT: f64 = 1e-3;
-/// Bodies of which so much less is left are passed over: a gust on one of a heap does not reach far.
-const DONE: f64 = 0.01;
+/// What is left of an acceleration counts as none up to here, m/s^2: what the steps take for still,
+const LEFT: f64 = STILL_SPEED_M_S / STILL_S;
+/// and of one of turning, rad/s^2.
+const LEFT_TURN: f64 = STILL_RATE_RAD_S / STILL_S;
+/// Bodies of which only this share of that is left are passed over: a gust on one of a heap does not reach
+/// far.
+const DONE: f64 = 0.05;
 /// What is left at a point is taken up so many times: more than once, and the end is reached in half the
 /// sweeps.
 const RELAXATION: f64 = 1.3;
@@ -41,8 +50,6 @@ pub(crate) struct Rester {
     /// About the body axes; 0 if contact cannot turn it.
     pub(crate) inverse_inertia: DVec3,
     pub(crate) attitude: DQuat,
-    /// Radius of its bounding ball, m.
-    pub(crate) radius: f64,
     /// What it would do if nothing held it: ENU, m/s^2,
     pub(crate) linear: DVec3,
     /// and FLU, N m.
@@ -69,7 +76,6 @@ pub(crate) struct Bearing {
 struct Loaded {
     inverse_mass: f64,
     inverse_inertia: DMat3,
-    radius: f64,
     /// m/s^2
     linear: DVec3,
     /// rad/s^2
@@ -85,7 +91,6 @@ impl Loaded {
         Self {
             inverse_mass: rester.inverse_mass,
             inverse_inertia,
-            radius: rester.radius,
             linear: if movable { rester.linear } else { DVec3::ZERO },
             angular: inverse_inertia * (rester.attitude * rester.torque),
         }
@@ -107,9 +112,9 @@ impl Loaded {
         self.inverse_mass + lever.dot(self.inverse_inertia * lever)
     }
 
-    /// The greatest acceleration of any of its points, at most.
-    fn most(&self) -> f64 {
-        self.linear.length() + self.angular.length() * self.radius
+    /// Whether no more is left than this share of what counts as none.
+    fn still(&self, share: f64) -> bool {
+        self.linear.length() <= share * LEFT && self.angular.length() <= share * LEFT_TURN
     }
 }
 
@@ -168,12 +173,32 @@ impl Bearing {
     }
 }
 
+/// The points that the members at `places` (ascending) rest on, of all that bore a load.
+pub(crate) fn bearings(island: &Island, points: &[LoadedPoint], places: &[usize]) -> Vec<Bearing> {
+    let bearing = |point: &LoadedPoint| {
+        let (a, b) = point.pair;
+        let place = |id: u32| {
+            let place = island.position(id)?;
+            let at = places.binary_search(&place).ok()?;
+            Some((at, point.point - island.members[place].at.p))
+        };
+        let (a, b) = (place(a), place(b));
+        (a.is_some() || b.is_some()).then(|| Bearing {
+            sides: [a, b].map(|side| side.map(|(at, _)| at)),
+            arms: [a, b].map(|side| side.map_or(DVec3::ZERO, |(_, arm)| arm)),
+            normal: point.normal,
+            friction: point.friction,
+            along: point.along,
+            across: DVec3::ZERO,
+        })
+    };
+    points.iter().filter_map(bearing).collect()
+}
+
 /// Whether the points bear what acts on the members: then they keep the forces that do, to start from the
 /// next time.
 pub(crate) fn bears(points: &mut [Bearing], members: &[Rester]) -> bool {
     let mut loaded: Vec<Loaded> = members.iter().map(Loaded::new).collect();
-    let most = loaded.iter().map(Loaded::most).fold(0.0, f64::max);
-    let little = LEFT * most;
     for point in &mut *points {
         // The normal and the place are those of the last step: friction may be more than it can be.
         point.across -= point.normal * point.across.dot(point.normal);
@@ -182,14 +207,11 @@ pub(crate) fn bears(points: &mut [Bearing], members: &[Rester]) -> bool {
         point.push(&mut loaded, point.across - point.normal * point.along);
     }
     for _ in 0..SWEEPS {
-        if loaded.iter().all(|body| body.most() <= little) {
+        if loaded.iter().all(|body| body.still(1.0)) {
             return true;
         }
         for point in &mut *points {
-            if point
-                .each()
-                .any(|(place, ..)| loaded[place].most() > DONE * little)
-            {
+            if point.each().any(|(place, ..)| !loaded[place].still(DONE)) {
                 point.take_up(&mut loaded);
             }
         }
@@ -224,7 +246,6 @@ mod tests {
             inverse_mass: 1.0,
             inverse_inertia: DVec3::splat(1.0 / 0.0067),
             attitude: DQuat::IDENTITY,
-            radius: 0.1732,
             linear: force - DVec3::Z * G,
             torque,
         };
@@ -286,7 +307,6 @@ mod tests {
             inverse_mass: 1.0,
             inverse_inertia: DVec3::splat(1.0 / 0.0067),
             attitude: DQuat::IDENTITY,
-            radius: 0.1732,
             linear: gust - DVec3::Z * G,
             torque: DVec3::ZERO,
         };
@@ -316,7 +336,6 @@ mod tests {
                 inverse_mass: 1.0,
                 inverse_inertia: DVec3::ZERO,
                 attitude: DQuat::IDENTITY,
-                radius: 0.1,
                 linear: DVec3::new(push, 0.0, -G),
                 torque: DVec3::ZERO,
             };
@@ -327,5 +346,73 @@ mod tests {
             let bodies = [body(0.0), body(push * 0.5 * G)];
             assert_eq!(bears(&mut points, &bodies), holds, "{push}");
         }
+    }
+
+    /// A ball of 1 kg on a point, as it turns or does not, under `push`.
+    fn ball_stands(inverse_inertia: f64, friction: f64, push: f64) -> bool {
+        let mut points = [under(0, friction)];
+        bears(&mut points, &[ball(inverse_inertia, push, 0.0)])
+    }
+
+    fn under(place: usize, friction: f64) -> Bearing {
+        Bearing {
+            sides: [Some(place), None],
+            arms: [DVec3::Z * -0.1, DVec3::ZERO],
+            normal: DVec3::NEG_Z,
+            friction,
+            along: G,
+            across: DVec3::ZERO,
+        }
+    }
+
+    fn ball(inverse_inertia: f64, push: f64, pressed: f64) -> Rester {
+        Rester {
+            inverse_mass: 1.0,
+            inverse_inertia: DVec3::splat(inverse_inertia),
+            attitude: DQuat::IDENTITY,
+            linear: DVec3::new(push, 0.0, -G - pressed),
+            torque: DVec3::ZERO,
+        }
+    }
+
+    /// That of 1 kg and 0.1 m, 1/(kg m^2).
+    const ROLLS: f64 = 250.0;
+
+    #[test]
+    fn a_ball_that_can_roll_or_slide_bears_no_push_that_the_steps_would_see() {
+        for push in [0.005, 0.05, 1.0] {
+            assert!(!ball_stands(ROLLS, 0.5, push), "{push}");
+            assert!(!ball_stands(0.0, 0.0, push), "{push}");
+            assert!(ball_stands(0.0, 0.5, push), "{push}");
+        }
+        assert!(ball_stands(ROLLS, 0.5, 0.0));
+    }
+
+    #[test]
+    fn who_is_pressed_hard_does_not_hold_another() {
+        for pressed in [0.0, 50.0, 1e4] {
+            let stand = |push: f64| {
+                let mut points = [under(0, 0.5), under(1, 0.5)];
+                let bodies = [ball(ROLLS, 0.0, pressed), ball(ROLLS, push, 0.0)];
+                bears(&mut points, &bodies)
+            };
+            assert!(stand(0.0), "{pressed}");
+            assert!(!stand(0.005), "{pressed}");
+        }
+    }
+
+    #[test]
+    fn a_small_body_turns_under_a_torque_that_hardly_moves_its_surface() {
+        // A ball of 1 cm: 0.1 rad/s^2 is 1 mm/s^2 at its surface.
+        let stand = |turning: f64| {
+            let body = Rester {
+                inverse_inertia: DVec3::splat(25_000.0),
+                torque: DVec3::Z * (turning / 25_000.0),
+                ..ball(0.0, 0.0, 0.0)
+            };
+            bears(&mut [under(0, 0.0)], &[body])
+        };
+        assert!(stand(0.01));
+        assert!(!stand(0.1));
     }
 }

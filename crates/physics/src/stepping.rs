@@ -2,13 +2,13 @@
 
 use crate::body::{BodyId, Material, Mobility, group};
 use crate::contact::Contact;
-use crate::island::{LoadedPoint, REACH_M, Role, Surface, Sweep, Touch, World};
+use crate::island::{REACH_M, Role, Surface, Sweep, Touch, World};
 use crate::islands::{Island, Led, Member};
 use crate::limits::NEWS_SPEED_M_S;
 use crate::motion::{Motion, seconds_between};
 use crate::physics::{Physics, duty};
 use crate::queue::GROUND;
-use crate::rest::Bearing;
+use crate::rest;
 use crate::rotation;
 use crate::shape::form::Place;
 use glam::DVec3;
@@ -21,9 +21,9 @@ pub(crate) const STILL_S: f64 = 0.5;
 /// Who could not be shown to rest under what acts on it is not looked at again for so long.
 const DOUBT_NS: u64 = 500_000_000;
 /// Still is what moves slower than this, m/s,
-const STILL_SPEED_M_S: f64 = 1e-3;
+pub(crate) const STILL_SPEED_M_S: f64 = 1e-3;
 /// and turns slower than this, rad/s.
-const STILL_RATE_RAD_S: f64 = 1e-2;
+pub(crate) const STILL_RATE_RAD_S: f64 = 1e-2;
 /// A member at rest that its world has moved farther than this, m and rad, moves again.
 const STIR: f64 = 1e-3;
 /// Fixed bodies are looked for this far around a member, m,
@@ -134,7 +134,7 @@ impl Physics {
             .map_or_else(Vec::new, |world| world.loaded_points());
         let mut sleepers = std::collections::BTreeMap::<usize, Island>::new();
         for (root, places) in resters {
-            let bearings = bearings(island, &points, &places);
+            let bearings = rest::bearings(island, &points, &places);
             let mut sleeper = Island::of(places.iter().map(|place| island.members[*place].clone()));
             sleeper.bearings = bearings;
             if evens[root] || sleeper.bears(&self.motions, |id| self.upright(id)) {
@@ -507,28 +507,6 @@ impl Step<'_> {
             sweeps: [self.before, after],
         });
     }
-}
-
-/// The points that the members at `places` (ascending) rest on, of all that bore a load.
-fn bearings(island: &Island, points: &[LoadedPoint], places: &[usize]) -> Vec<Bearing> {
-    let bearing = |point: &LoadedPoint| {
-        let (a, b) = point.pair;
-        let place = |id: u32| {
-            let place = island.position(id)?;
-            let at = places.binary_search(&place).ok()?;
-            Some((at, point.point - island.members[place].at.p))
-        };
-        let (a, b) = (place(a), place(b));
-        (a.is_some() || b.is_some()).then(|| Bearing {
-            sides: [a, b].map(|side| side.map(|(at, _)| at)),
-            arms: [a, b].map(|side| side.map_or(DVec3::ZERO, |(_, arm)| arm)),
-            normal: point.normal,
-            friction: point.friction,
-            along: point.along,
-            across: DVec3::ZERO,
-        })
-    };
-    points.iter().filter_map(bearing).collect()
 }
 
 /// Reports touches that begin in a step from `t` on, and keeps in mind which there are.

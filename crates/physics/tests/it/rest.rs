@@ -269,3 +269,50 @@ fn who_lies_on_one_that_is_pulled_away_falls() {
     let after = place(&physics, ids[1], seconds(5.0)).z;
     assert!((after - DECK_M - 0.1).abs() < 2e-3, "{after}");
 }
+
+/// Pushes each by `share` of its weight, at rest after 3 s; tells how far it has come in the next 10 s.
+fn nudged(spec: BodySpec, share: f64) -> f64 {
+    let mass = spec.mass_kg;
+    let (mut physics, ids) = dropped(Mobility::Fixed, [spec]);
+    let t = seconds(3.0);
+    run(&mut physics, t);
+    let start = place(&physics, ids[0], t);
+    let steps = physics.tally().steps;
+    push(&mut physics, ids[0], t, DVec3::X * (share * mass * G));
+    let t = seconds(13.0);
+    run(&mut physics, t);
+    let way = place(&physics, ids[0], t) - start;
+    assert_eq!(physics.tally().steps > steps, way != DVec3::ZERO);
+    assert!(way.y.abs() < 1e-3 && way.z.abs() < 1e-3, "{way}");
+    way.x
+}
+
+#[test]
+fn whoever_nothing_holds_moves_under_a_push_of_a_two_thousandth_of_its_weight() {
+    let at = DVec3::Z * (DECK_M + 0.1);
+    let rolls = || BodySpec {
+        rolls: true,
+        material: surface(FRICTION, 0.0),
+        ..ball(at)
+    };
+    let free = 0.5 * 5e-4 * G * 100.0;
+    // A full ball that rolls has 5/7 of the acceleration.
+    let way = nudged(rolls(), 5e-4);
+    assert!((way / free - 5.0 / 7.0).abs() < 0.05, "{way} of {free}");
+    let way = nudged(
+        BodySpec {
+            material: surface(0.0, 0.0),
+            ..cube(0.1, at)
+        },
+        5e-4,
+    );
+    assert!((way / free - 1.0).abs() < 0.05, "{way} of {free}");
+    // Negative controls: friction holds, or nothing pushes.
+    let holds = BodySpec {
+        material: surface(FRICTION, 0.0),
+        ..ball(at)
+    };
+    assert_eq!(nudged(holds, 5e-4), 0.0);
+    assert_eq!(nudged(cube(0.1, at), 5e-4), 0.0);
+    assert_eq!(nudged(rolls(), 0.0), 0.0);
+}
