@@ -58,6 +58,7 @@ export class Page {
         },
         onCamera: () => {},
         onLegend: (legend) => (run.legend.value = legend),
+        onLost: () => run.say("All vehicles are out of sight: the key a, or “Show all”, shows them."),
       });
     } catch (error) {
       this.scene = null;
@@ -114,6 +115,13 @@ export class Page {
         show(charts.element, open.has("charts"));
       }),
     );
+    this.layout.listen(run.gone.signal);
+    // What is looked at is in the middle of what the panel leaves free; a narrow page shows one of both.
+    const cover = () => this.scene?.setCovered(this.layout.has("layers") && !this.layout.narrow.matches ? layers.getBoundingClientRect().right - host.getBoundingClientRect().left : 0);
+    const sizes = new ResizeObserver(cover);
+    sizes.observe(layers);
+    this.until(() => sizes.disconnect());
+    cover();
     listen(table, run.gone.signal);
     this.wire();
     this.restore(place);

@@ -227,13 +227,18 @@ export class Run {
   paint(colour: Colour): void {
     const before = this.colour.value;
     if (before.by === colour.by && before.name === colour.name) return;
+    // No number is drawn with the legend of another.
+    if (this.seriesOf(colour) !== this.colourAsked) this.player.dropValues();
     this.colour.value = colour;
     this.askColour();
   }
 
   /** The series that colours the vehicles, as far as anybody has it. */
   colourSeries(): string | null {
-    const { by, name } = this.colour.value;
+    return this.seriesOf(this.colour.value);
+  }
+
+  private seriesOf({ by, name }: Colour): string | null {
     if (by === "battery") return batteryName(this.series);
     return by === "value" && this.series.ofVehicles().has(name) ? name : null;
   }

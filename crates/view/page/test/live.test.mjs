@@ -124,7 +124,7 @@ test("the camera goes with the vehicle that is followed, and stays when it is le
 
 test("a click on a vehicle selects it", async () => {
   await page.keyboard.press("f");
-  // From above, what is followed comes to be in the middle.
+  // From above, what is followed comes to be in the middle of what the panel leaves free.
   await page.keyboard.press("t");
   await until(page, () => {
     const { camera } = window.simbeeotic.place();
@@ -135,7 +135,9 @@ test("a click on a vehicle selects it", async () => {
   await page.keyboard.press("Escape");
   await until(page, () => window.simbeeotic.place().select === undefined);
   const box = await page.locator("#scene canvas").first().boundingBox();
-  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const panel = await page.locator("#layers").boundingBox();
+  const left = panel.x + panel.width;
+  await page.mouse.click((left + box.x + box.width) / 2, box.y + box.height / 2);
   await until(page, () => window.simbeeotic.place().select !== undefined);
   assert.equal((await place(page)).select, "bee-17");
 });

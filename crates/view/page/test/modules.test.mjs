@@ -126,6 +126,14 @@ test("a mean over a time in which nothing happened is nothing, whatever was befo
   assert.deepEqual(axis.meanOver(times, [2, null, 4, 6, 8, null], 1), [2, null, 3, 4, 8, null]);
 });
 
+test("a chart of a rate is as high as what came after the first moment, if that alone is far above", () => {
+  const times = [0, 0.1, 1, 2, 3];
+  assert.deepEqual(axis.extentOf(times, [1e6, 5e5, 4400, 4300, 4500], 1), [4300, 4500]);
+  assert.deepEqual(axis.extentOf(times, [5, 6, 4, null, 2], 1), [2, 6], "not far above");
+  assert.deepEqual(axis.extentOf(times, [7, 0, 0, 0, 0], 1), [0, 7], "nothing came after");
+  assert.deepEqual(axis.extentOf([], [], 1), [null, null]);
+});
+
 test("labels of an axis tell its steps apart, and are short", () => {
   assert.deepEqual([0, 50_000, 100_000].map((x) => axis.labelOf(x, 50_000)), ["0", "50 k", "100 k"]);
   assert.deepEqual([0, 0.5, 1].map((x) => axis.labelOf(x, 0.5)), ["0", "0.5", "1.0"]);
@@ -343,6 +351,26 @@ test("the wind of a recording is that of the time which is shown, in whatever di
   run.hear({ type: "wind", t: 8, arrows: [] });
   assert.equal(run.has.value.wind, true);
   assert.deepEqual([0.5, 1, 3.9, 4, 7, 8, 9].map((t) => run.windAt(t)), [[], west, west, north, north, [], []]);
+});
+
+test("numbers of the colour before are dropped when another is chosen, and kept when it is the same one", () => {
+  for (const mode of ["live", "replay"]) {
+    const { run, said } = runOf(mode);
+    run.hear({ type: "series", list: [{ id: 1, vehicle: 0, name: "battery/soc", unit: "1" }, { id: 2, vehicle: 0, name: "neighbors", unit: "1" }] });
+    run.paint({ by: "value", name: "neighbors" });
+    const { frame } = decode.decode(frameBytes(0, 2, 2));
+    if (mode === "live") run.live.take(frame, 0);
+    else run.replay.take(frame);
+    assert.deepEqual([...frame.values], [0, 10]);
+    run.paint({ by: "battery", name: "" });
+    assert.equal(frame.values, null, mode);
+    assert.deepEqual(said.filter((it) => it.type === "colour").map((it) => it.by), ["neighbors", "battery/soc"]);
+    const next = decode.decode(frameBytes(0, 2, 2)).frame;
+    if (mode === "live") run.live.take(next, 10);
+    else run.replay.take(next);
+    run.paint({ by: "value", name: "battery/soc" });
+    assert.notEqual(next.values, null, "the same numbers under another name");
+  }
 });
 
 test("what was asked for is shown at once, and what the program says wins", () => {

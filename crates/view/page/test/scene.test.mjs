@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 const folder = fileURLToPath(new URL("..", import.meta.url));
 const { outputFiles } = await build({
   stdin: {
-    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay", "near", "darts"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
+    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay", "near", "darts", "pace"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
     resolveDir: folder,
   },
   bundle: true,
@@ -16,7 +16,7 @@ const { outputFiles } = await build({
   mainFields: ["module", "main"],
   write: false,
 });
-const { math, colours, paint, picking, camera, beams, radio, overlay, near: nearby, darts } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
+const { math, colours, paint, picking, camera, beams, radio, overlay, near: nearby, darts, pace } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 
 const near = (a, b, within = 1e-6) => {
   assert.equal(a.length, b.length);
@@ -198,6 +198,34 @@ test("all points are in sight after a fit, and not lost in the middle", () => {
     const high = Math.max(...seen.map((s) => s.y)) - Math.min(...seen.map((s) => s.y));
     assert.ok(wide > 640 || high > 360, `${wide} x ${high}`);
   }
+});
+
+test("what a panel covers is no place for points after a fit, and the target is in the middle of the rest", () => {
+  const points = [];
+  for (let i = 0; i < 200; i++) points.push([30 * Math.sin(i * 1.7), 30 * Math.cos(i * 2.3), 6 + 5 * Math.sin(i * 3.1)]);
+  for (const flat of [false, true]) {
+    const orbit = new camera.Orbit();
+    orbit.resize(1000, 600);
+    orbit.covered_px = 250;
+    orbit.set({ from: [20, -30, 12], at: [0, 0, 0], flat });
+    orbit.fit(points, 0.2, true);
+    orbit.reach = 200;
+    orbit.apply();
+    const view = orbit.camera.projectionMatrix.clone().multiply(orbit.camera.matrixWorldInverse).elements;
+    const seen = points.map((p) => math.project(view, p, 1000, 600));
+    assert.ok(seen.every((s) => s && s.x > 250 && s.x < 1000 && s.y > 0 && s.y < 600), `flat ${flat}`);
+    near([math.project(view, orbit.target(), 1000, 600).x], [625], 1e-6);
+    const { along } = orbit.ray(0.25, 0);
+    near(along, orbit.axes()[0].map((x) => -x), 1e-6);
+  }
+});
+
+test("a picture that stands is as fine as patience allows, and never coarser than one that moves", () => {
+  assert.equal(pace.atRest(0.5, 0, 2), 2, "before anything was measured");
+  assert.equal(pace.atRest(0.5, 50, 2), 2);
+  assert.equal(pace.atRest(0.5, 130, 2), 1.5);
+  assert.equal(pace.atRest(0.5, 2000, 2), 1, "as fine as the screen, however long that takes");
+  assert.equal(pace.atRest(1, 1e5, 1), 1);
 });
 
 test("the camera comes to rest, and exactly where it was sent", () => {

@@ -78,6 +78,25 @@ export function timeRange(first_s: number | null, last_s: number | null): [numbe
   return [first_s < 0.1 * last_s ? 0 : first_s, Math.max(last_s, first_s + 1e-3)];
 }
 
+/** More than the rest by this factor, and the rest would be a line at zero. */
+const FLAT = 5;
+
+/** The least and the greatest; what happened in the first moment only if it does not make flat all that came after. */
+export function extentOf(times_s: number[], values: (number | null)[], first_s: number): [number | null, number | null] {
+  const begun_s = (times_s[0] ?? 0) + first_s;
+  let [low, high, later, count] = [Infinity, -Infinity, -Infinity, 0];
+  values.forEach((value, at) => {
+    if (value === null) return;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+    if (times_s[at]! < begun_s) return;
+    later = Math.max(later, value);
+    count += 1;
+  });
+  if (low > high) return [null, null];
+  return [low, count > 1 && later > 0 && high > FLAT * later ? later : high];
+}
+
 /** From zero, if that does not make the line flat; with some air above and below. */
 export function rangeOf(low: number | null, high: number | null): [number, number] {
   if (low === null || high === null) return [0, 1];

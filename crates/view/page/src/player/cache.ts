@@ -64,6 +64,10 @@ export class FrameCache {
     return -1;
   }
 
+  dropValues(): void {
+    for (const frame of this.frames) if (frame) frame.values = null;
+  }
+
   clear(): void {
     this.frames.fill(undefined);
     this.pinned.clear();

@@ -22,4 +22,6 @@ export interface Player {
   advance(now_ms: number): Moment | null;
   /** Whether `advance` will soon have more. */
   readonly busy: boolean;
+  /** Colours of another number are to come: those of the frames that are here are none any more. */
+  dropValues(): void;
 }

@@ -60,6 +60,10 @@ export class LivePlayer implements Player {
     this.toThank.push(frame.time);
   }
 
+  dropValues(): void {
+    for (const frame of this.queue) frame.values = null;
+  }
+
   hear(list: Packet[]): void {
     this.packets.push(...list);
   }

@@ -131,6 +131,10 @@ export class ReplayPlayer implements Player {
     this.plan();
   }
 
+  dropValues(): void {
+    this.cache.dropValues();
+  }
+
   take(frame: Frame): void {
     this.brought += 1;
     this.cache.put(frame, this.cache.tickAt(this.t_s), this.fetch?.why === "overview");

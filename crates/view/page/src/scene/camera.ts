@@ -46,6 +46,8 @@ export class Orbit {
   private seconds = 0.07;
   private aspect = 1;
   private height = 1;
+  /** The left of the picture that a panel covers, CSS pixels: the target is in the middle of the rest. */
+  covered_px = 0;
   /** How far around the target there is anything to see, m. */
   reach = 100;
   /** How much farther away the eye is than it would be with perspective, m. */
@@ -54,6 +56,11 @@ export class Orbit {
   resize(width: number, height: number): void {
     this.aspect = width / Math.max(height, 1);
     this.height = Math.max(height, 1);
+  }
+
+  /** Where the target is in the picture: -1 to 1 to the right. */
+  middle(): number {
+    return clamp(this.covered_px / (this.height * this.aspect), 0, 0.5);
   }
 
   /** The point looked at, world. */
@@ -123,17 +130,19 @@ export class Orbit {
     const half = distance * TAN_HALF_VIEW;
     const depth = Math.max(this.reach, distance * 4) + Math.hypot(...target);
     const p = this.camera.projectionMatrix;
+    const middle = this.middle();
     const flat = this.now.flat > 0.985;
     const eyeAway = flat ? depth : distance / (1 - this.now.flat);
     this.retreat = flat ? 0 : eyeAway - distance;
     const eye = add(target, scale(back, eyeAway));
     if (flat) {
       const w = half * this.aspect;
-      p.makeOrthographic(-w, w, half, -half, 0, 2 * depth);
+      p.makeOrthographic(-w * (1 + middle), w * (1 - middle), half, -half, 0, 2 * depth);
     } else {
       const near = distance * 0.01 + (eyeAway - distance) * 0.2;
       const tan = (half / eyeAway) * near;
-      p.makePerspective(-tan * this.aspect, tan * this.aspect, tan, -tan, near, eyeAway + 2 * depth);
+      const w = tan * this.aspect;
+      p.makePerspective(-w * (1 + middle), w * (1 - middle), tan, -tan, near, eyeAway + 2 * depth);
     }
     this.camera.projectionMatrixInverse.copy(p).invert();
     this.camera.matrixAutoUpdate = false;
@@ -185,7 +194,7 @@ export class Orbit {
     if (this.anchor) return;
     const [, right, up] = this.axes(this.goal);
     const half = (before - after) * TAN_HALF_VIEW;
-    this.goal.target = add(this.goal.target, add(scale(right, x * half * this.aspect), scale(up, y * half)));
+    this.goal.target = add(this.goal.target, add(scale(right, (x - this.middle()) * half * this.aspect), scale(up, y * half)));
   }
 
   lookAt(point: Vec3): void {
@@ -226,7 +235,7 @@ export class Orbit {
     if (seen.length === 0) return;
     const mid = [0, 1, 2].map((i) => (low[i]! + high[i]!) / 2) as Vec3;
     let distance = 0;
-    const tanX = TAN_HALF_VIEW * Math.min(this.aspect, 3);
+    const tanX = TAN_HALF_VIEW * Math.min(this.aspect * (1 - this.middle()), 3);
     for (const q of seen) {
       const toward = this.goal.flat === 1 ? 0 : q[0] - mid[0];
       const x = toward + (Math.abs(q[1] - mid[1]) + margin) / tanX;

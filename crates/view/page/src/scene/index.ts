@@ -57,6 +57,8 @@ export interface SceneOptions {
   onCamera(state: CameraState): void;
   /** What the colours mean, whenever that changes; the first time while the scene is made. */
   onLegend(legend: Legend | null): void;
+  /** The last vehicle has left the picture. */
+  onLost(): void;
 }
 
 /** Implemented in scene.ts. Draws only when something has changed. */
@@ -93,6 +95,8 @@ export interface SceneView {
   setWind(arrows: number[][]): void;
   /** The picture as it is, PNG, with labels and without panels. */
   png(): Promise<Blob>;
+  /** So much of the picture is under a panel, from its left edge, CSS pixels: its middle is that of the rest. */
+  setCovered(left_px: number): void;
   /** Called by itself when the host changes its size. */
   resize(): void;
   /**

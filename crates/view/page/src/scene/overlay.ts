@@ -5,8 +5,9 @@ import type { Frames } from "./frames";
 import { niceBelow, project } from "./math";
 
 const MOST_LABELS = 60;
-/** Scale and compass are below what the page has at the top; panels cover the other edges. */
-const TOP_PX = 68;
+/** Scale and compass are below the notices that the page has at the top, which grow with the text; panels cover the other edges. */
+const TOP_PX = 36;
+const NOTICE_PX = 44;
 const FAMILY = 'system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif';
 /** The size of the page's text for which the words over the picture are 12 pixels high: with large text they grow. */
 const PAGE_TEXT_PX = 13;
@@ -76,6 +77,10 @@ export class Overlay {
     this.size = Math.max(1, page / PAGE_TEXT_PX);
     this.font = `${Math.round(12 * this.size)}px ${FAMILY}`;
     this.widths.clear();
+  }
+
+  private top(): number {
+    return TOP_PX + NOTICE_PX * this.size;
   }
 
   private ink(): string {
@@ -178,7 +183,7 @@ export class Overlay {
   private scale(c: CanvasRenderingContext2D, input: OverlayInput): void {
     const length = niceBelow(input.pixel_m * 130);
     const px = length / input.pixel_m;
-    const [x, y] = [input.width / 2 - 78, TOP_PX + 12 * this.size];
+    const [x, y] = [input.width / 2 - 78, this.top() + 12 * this.size];
     for (const [width, colour] of [[4.5, this.paper(0.8)], [2, this.ink()]] as const) {
       c.strokeStyle = colour;
       c.lineWidth = width;
@@ -195,7 +200,7 @@ export class Overlay {
 
   /** East, north and up as they are seen. */
   private compass(c: CanvasRenderingContext2D, input: OverlayInput): void {
-    const [x, y, l] = [input.width / 2 + 104, TOP_PX + 6, 22];
+    const [x, y, l] = [input.width / 2 + 104, this.top() + 6, 22];
     const m = input.view;
     // The rows of the view give the directions on the screen; x and y are stretched by the lens.
     const ax = Math.hypot(m[0]!, m[4]!, m[8]!);

@@ -8,9 +8,16 @@ const QUICK_MS = 18;
 const COARSEST = 0.5;
 /** A picture stands still if none follows for so long. */
 const REST_MS = 350;
-/** A fine picture may take so long. */
-const PATIENCE_MS = 900;
+/** A picture at rest may take so long: nobody waits for it. */
+const PATIENCE_MS = 1500;
 const POLL_MS = 3;
+
+/** How fine a picture is that stands: as fine as patience allows where one of `ratio` takes `ms`, but as fine as the screen if that can be. */
+export function atRest(ratio: number, ms: number, finest: number): number {
+  const allowed = ratio * Math.sqrt(PATIENCE_MS / Math.max(ms, 1e-3));
+  // In quarters, so that a little more or less time is no other picture.
+  return Math.min(finest, Math.max(1, ratio, Math.floor(allowed * 4) / 4));
+}
 
 export class Pace {
   /** Pixels of the picture for each CSS pixel. */
@@ -19,6 +26,7 @@ export class Pace {
   /** Mean time of the last pictures, from their beginning until the graphics card has finished them, ms. */
   ms = 0;
   private moving: number;
+  private standing = false;
   private began = 0;
   private recent: number[] = [];
   private rest = 0;
@@ -37,11 +45,12 @@ export class Pace {
     this.ratio = this.moving = soft ? 1 : this.finest();
   }
 
-  /** A picture begins; `fine`: it stands still. */
-  begin(fine: boolean): void {
+  /** A picture begins: one of many, one that stands, or one to keep, however long it takes. */
+  begin(kind: "motion" | "rest" | "finest"): void {
     this.began = performance.now();
     clearTimeout(this.rest);
-    this.use(fine ? this.finest() : this.moving);
+    this.use(kind === "motion" ? this.moving : kind === "rest" ? atRest(this.moving, this.ms, this.finest()) : this.finest());
+    this.standing = kind !== "motion";
   }
 
   /** It has been handed to the graphics card. */
@@ -53,9 +62,9 @@ export class Pace {
       this.gl.flush();
       this.wait(this.began, this.ratio === this.moving);
     }
-    if (this.ratio < this.finest()) {
+    if (!this.standing && this.ratio < this.finest()) {
       this.rest = window.setTimeout(() => {
-        if (this.ms * (this.finest() / this.ratio) ** 2 < PATIENCE_MS) this.redraw();
+        if (atRest(this.moving, this.ms, this.finest()) > this.ratio) this.redraw();
       }, REST_MS);
     }
   }

@@ -65,6 +65,11 @@ export class Pointing {
     }, HOVER_MS);
   }
 
+  /** What is there has moved on, and the pointer has not. */
+  again(): void {
+    if (this.at) this.hover(this.at);
+  }
+
   dispose(): void {
     clearTimeout(this.timer);
   }

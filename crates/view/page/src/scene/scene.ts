@@ -166,6 +166,7 @@ class Scene implements SceneView {
       this.paintAll(b);
       this.trails.passed(a);
       if (this.sight.passed(a.time, b.time, this.view, this.moving)) this.go();
+      if (this.sight.lost(this.view)) this.options.onLost();
     }
     this.changed();
   }
@@ -264,7 +265,7 @@ class Scene implements SceneView {
 
   png(): Promise<Blob> {
     const { clientWidth: w, clientHeight: h } = this.host;
-    this.pace.begin(true);
+    this.pace.begin("finest");
     this.overlay.resize(w, h, this.pace.ratio);
     this.draw(performance.now());
     this.pace.end();
@@ -281,6 +282,13 @@ class Scene implements SceneView {
     return new Promise((done, fail) => {
       canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("the browser made no picture"))), "image/png");
     });
+  }
+
+  setCovered(left_px: number): void {
+    if (left_px === this.orbit.covered_px) return;
+    this.orbit.covered_px = left_px;
+    this.sight.covered();
+    this.changed();
   }
 
   resize(): void {
@@ -326,10 +334,11 @@ class Scene implements SceneView {
     this.request = requestAnimationFrame((now) => {
       this.request = 0;
       if (this.disposed) return;
-      this.pace.begin(this.fine);
+      this.pace.begin(this.fine ? "rest" : "motion");
       if (this.moving) this.moving = this.orbit.step((now - this.lastDraw) / 1000);
       this.draw(now);
       this.pace.end();
+      this.pointing.again();
       const busy = this.moving || (this.layers.packets && this.radio.busy(performance.now() / 1000));
       if (busy) this.changed();
       this.tell();

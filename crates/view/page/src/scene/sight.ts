@@ -9,8 +9,11 @@ import { length, sub, unit } from "./math";
 import { firstHit } from "./picking";
 import type { World } from "./world";
 
-/** The first view goes with the swarm for so long, s of virtual time, unless somebody looks elsewhere. */
+/** The first view goes with the swarm closely for so long, s of virtual time, unless somebody looks elsewhere. */
 const FIRST_VIEW_S = 10;
+/** It moves when a smaller share of the vehicles is in sight: in that time, and afterwards. */
+const MANY = 0.7;
+const FEW = 0.3;
 /** Where the first view stands, seen from the swarm, rad: the lowest from which the world hides little of it. */
 const ELEVATIONS = [0.36, 0.6, 0.85, 1.1, 1.35];
 /** By so many of the vehicles that is judged, and such a share of them must be seen. */
@@ -25,6 +28,7 @@ export class Sight {
   /** When the view that nobody has chosen began; null: somebody has. */
   private since_s: number | null = null;
   private placed = false;
+  private sighted = false;
   private points: Vec3[] = [];
   private spot = new Float64Array(3);
 
@@ -63,9 +67,24 @@ export class Sight {
     }
     if (this.since_s === null) return false;
     const passed_s = to_s - this.since_s;
-    if (passed_s < 0 || passed_s > FIRST_VIEW_S) this.since_s = null;
-    else if (!moving && this.seen(view) < 0.7) return this.onSwarm(false);
+    if (passed_s < 0) this.since_s = null;
+    else if (!moving && this.seen(view) < (passed_s > FIRST_VIEW_S ? FEW : MANY)) return this.onSwarm(false);
     return false;
+  }
+
+  /** Less of the picture, or more of it, is covered: a view that nobody has chosen fits into the rest. */
+  covered(): void {
+    if (!this.placed) this.onWorld();
+    else if (this.since_s !== null) this.onSwarm(true);
+  }
+
+  /** Whether the last vehicle has just left the picture; told again when most have been back. */
+  lost(view: THREE.Matrix4): boolean {
+    const seen = this.seen(view);
+    if (seen > 0.5) this.sighted = true;
+    if (seen > 0 || !this.sighted || !this.placed) return false;
+    this.sighted = false;
+    return true;
   }
 
   /** All vehicles in sight. `first`: it is the first view. Whether there are any. */

@@ -7,8 +7,9 @@ import { GRID, type GridUniforms } from "./grid";
 import { LIGHT, type Shared } from "./light";
 
 const VERTEX = /* glsl */ `
+uniform float uMiddle;
 varying vec2 vScreen;
-void main() { vScreen = position.xy; gl_Position = vec4(position.xy, 0.999999, 1.0); }
+void main() { vScreen = vec2(position.x - uMiddle, position.y); gl_Position = vec4(position.xy, 0.999999, 1.0); }
 `;
 
 const FRAGMENT = /* glsl */ `
@@ -56,6 +57,7 @@ export class Sky {
       uUp: { value: new THREE.Vector3() },
       uTarget: { value: new THREE.Vector3() },
       uTan: { value: new THREE.Vector2() },
+      uMiddle: { value: 0 },
       uHalfHeight: { value: 1 },
       uPlane: { value: plane ? 1 : 0 },
     };
@@ -79,6 +81,7 @@ export class Sky {
     u.uRight.value.set(right[0], right[1], right[2]);
     u.uUp.value.set(up[0], up[1], up[2]);
     const lens = orbit.lens();
+    u.uMiddle.value = orbit.middle();
     u.uTan.value.set(lens.tan * lens.aspect, lens.tan);
     const target = orbit.target();
     u.uTarget.value.set(target[0], target[1], target[2]);

@@ -2,7 +2,7 @@
 // click goes there.
 
 import uPlot from "uplot";
-import { labelOf, meanOver, measureOf, rangeOf, timeLabel, timeRange, timeSteps, told } from "../core/axis";
+import { extentOf, labelOf, meanOver, measureOf, rangeOf, timeLabel, timeRange, timeSteps, told } from "../core/axis";
 import { button, h, say } from "../core/dom";
 import { time, words } from "../core/format";
 import { icon } from "../core/icons";
@@ -154,7 +154,7 @@ export class Chart {
         legend: { show: false },
         scales: {
           x: replay ? { time: false, range: [replay.span.from_s, Math.max(replay.span.to_s, replay.span.from_s + 1e-3)] } : { time: false, range: (_, first, last) => timeRange(first, last) },
-          y: { range: range ?? ((_, low, high) => rangeOf(low, high)) },
+          y: { range: range ?? ((_, low, high) => (line.about.unit === "1/s" ? rangeOf(...extentOf(this.line()?.times ?? [], this.values, MEAN_S)) : rangeOf(low, high))) },
         },
         axes: [
           { ...axis(timeLabel), size: size_px * 1.7, space: size_px * 3.8, incrs: timeSteps },

@@ -31,6 +31,10 @@ export function inspector(run: Run): HTMLElement {
   const motion = motionTable();
   const body = h("div", { class: "sections" });
   const hint = h("p", { class: "empty faint", text: "Waiting for its details …" });
+  run.state.now((state) => {
+    // A run that has ended has told what it tells.
+    hint.textContent = state?.ended ? "The run has ended, and its details were not told. Its recording, if there is one, tells them: simbeeotic view RECORDING." : "Waiting for its details …";
+  });
   let sections: Section[] = [];
   let shape = "";
 

@@ -14,6 +14,19 @@ export class Layout {
     this.open = new Signal<ReadonlySet<Panel>>(this.narrow.matches ? new Set() : new Set(["layers", "vehicles", "charts"]));
   }
 
+  /** A page that becomes narrow shows its picture; one that becomes wide again, the panels that it had. */
+  listen(gone: AbortSignal): void {
+    let wide: ReadonlySet<Panel> = new Set(["layers", "vehicles", "charts"]);
+    this.narrow.addEventListener(
+      "change",
+      () => {
+        if (this.narrow.matches) wide = this.open.value;
+        this.open.value = this.narrow.matches ? new Set() : wide;
+      },
+      { signal: gone },
+    );
+  }
+
   has(panel: Panel): boolean {
     return this.open.value.has(panel);
   }

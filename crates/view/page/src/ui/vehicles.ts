@@ -130,7 +130,7 @@ function finderBox(run: Run): Finder {
       h("span", { class: "faint cut end", text: kinds[vehicle] ?? "" }),
     );
   });
-  const body = h("div", { class: "found" }, list.element, none);
+  const body = h("div", { class: "found" }, none, list.element);
   const wanted = () => input.value.trim() !== "";
   const search = () => {
     const parts = input.value.trim().toLowerCase().split(/\s+/).filter(Boolean);
