@@ -515,7 +515,8 @@ fn a_picture_of_a_sweep_has_its_axes_its_keys_and_says_what_it_is_of() {
     for words in [
         ">far, m</text>",
         ">spread, m</text>",
-        "7 runs; 2 seeds at each place, averaged over n: mean, and where it is with 95 % confidence; dots: the runs; 1 failed and are left out",
+        // No spread is below zero.
+        "7 runs; 2 seeds at each place, averaged over n: mean, and where it is with 95 % confidence, cut at 0; dots: the runs; 1 failed and are left out",
     ] {
         assert!(alone.contains(words), "{words} in {alone}");
     }

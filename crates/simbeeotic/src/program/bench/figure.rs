@@ -117,7 +117,10 @@ impl Figure<'_> {
             Across::Y(_) => None,
         });
         let xs = ends(points().map(|[x, _]| *x).chain(upright));
-        let ys: Vec<f64> = (points().map(|[_, y]| *y).chain(spreads.flatten().copied())).collect();
+        let ys: Vec<f64> = (points()
+            .map(|[_, y]| *y)
+            .chain(spreads.flatten().flatten().copied()))
+        .collect();
         let highest = ys.iter().copied().fold(0.0, f64::max);
         let level = axes == Axes::Log || highest >= LEVEL_SHARE * paper::DURATION_S;
         let rules = self.rules(level);
@@ -180,7 +183,7 @@ impl Figure<'_> {
                     let all = || row.runs.iter().map(|run| per(&run.cost));
                     let low = all().fold(f64::INFINITY, f64::min);
                     let high = all().fold(0.0, f64::max);
-                    ([f64::from(row.case.size), low], [low, high])
+                    ([f64::from(row.case.size), low], Some([low, high]))
                 })
                 .unzip();
             if points.is_empty() {

@@ -9,7 +9,7 @@ use super::ground::Ground;
 use super::map::{Column, axes, heading, maps, north, scale_bar};
 use super::palette::ramp;
 use super::sheet::{FAINT, Ink, Sheet, WHITE};
-use super::stats::wilson;
+use super::stats::wilson_of_share;
 use simbeeotic_record::Stage;
 
 /// What is drawn of some runs.
@@ -43,7 +43,7 @@ impl Cells {
     }
 }
 
-/// The mean of a cell over runs, and half of its 95 % interval.
+/// The mean of a cell over runs, and half of its 95 % interval. Both are of seeds: see [`units`].
 fn estimate(runs: &[&Run], cell: usize, kind: CoverageKind) -> (f64, f64) {
     let mine = runs
         .iter()
@@ -65,7 +65,7 @@ fn estimate(runs: &[&Run], cell: usize, kind: CoverageKind) -> (f64, f64) {
     let units = units(&values);
     let middle = mean(&units).unwrap_or(f64::NAN);
     if kind == CoverageKind::Runs {
-        let [low, high] = wilson(known as u64, runs.len() as u64);
+        let [low, high] = wilson_of_share(middle, units.len() as f64);
         return (100.0 * middle, 50.0 * (high - low));
     }
     (middle, half_width(&units).unwrap_or(f64::NAN))
@@ -269,6 +269,19 @@ mod tests {
         );
         let (none, half) = estimate(&runs[2..], 0, CoverageKind::Dwell);
         assert!(none.is_nan() && half.is_nan());
+    }
+
+    #[test]
+    fn runs_of_one_seed_are_no_surer_of_a_cell_than_one_of_them() {
+        let once = [run(1, 1.0), run(2, f32::NAN)];
+        let once: Vec<&Run> = once.iter().collect();
+        let often: Vec<&Run> = once.iter().copied().cycle().take(20).collect();
+        let estimate = |runs| estimate(runs, 0, CoverageKind::Runs);
+        assert_eq!(estimate(&often), estimate(&once));
+        // Of one seed its runs are all there is.
+        let (share, half) = estimate(&vec![once[0]; 20]);
+        let [low, high] = super::super::stats::wilson(20, 20);
+        assert_eq!((share, half), (100.0, 50.0 * (high - low)));
     }
 
     #[test]

@@ -37,8 +37,8 @@ pub(crate) struct Curve {
     pub(crate) ink: Ink,
     pub(crate) marker: Marker,
     pub(crate) points: Vec<[f64; 2]>,
-    /// Beside the points: from where to where on the y axis they were found; may be empty.
-    pub(crate) spread: Vec<[f64; 2]>,
+    /// Beside the points: from where to where on the y axis they were found, if that is known; may be empty.
+    pub(crate) spread: Vec<Option<[f64; 2]>>,
     /// Width of the line, pixels; none: points alone.
     pub(crate) line: Option<f64>,
 }
@@ -172,41 +172,62 @@ impl Chart {
     }
 }
 
-/// The lower and the upper end of what a curve's points were found in.
-fn ends(panel: &Panel, curve: &Curve) -> Vec<[[f64; 2]; 2]> {
-    let ends = curve.points.iter().zip(&curve.spread);
-    ends.map(|([x, _], ends)| ends.map(|y| panel.place(*x, y)))
-        .collect()
+/// The lower and the upper end of what a curve's points were found in, of neighbours for which it is known.
+fn ends(panel: &Panel, curve: &Curve) -> Vec<Vec<[[f64; 2]; 2]>> {
+    let points: Vec<_> = curve.points.iter().zip(&curve.spread).collect();
+    let pieces = points.chunk_by(|(_, a), (_, b)| a.is_some() && b.is_some());
+    let ends = pieces.map(|piece| {
+        let known = piece
+            .iter()
+            .filter_map(|([x, _], ends)| Some((x, (**ends)?)));
+        known
+            .map(|(x, ends)| ends.map(|y| panel.place(*x, y)))
+            .collect()
+    });
+    ends.filter(|piece: &Vec<_>| !piece.is_empty()).collect()
 }
 
-/// The range that a curve's points were found in, as a band.
-pub(crate) fn curve_band(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
-    let ends = ends(panel, curve);
-    if ends.len() > 1 {
-        let lower = ends.iter().map(|[low, _]| *low);
-        let upper = ends.iter().rev().map(|[_, high]| *high);
+/// The bands between neighbours for which it is known in what they were found.
+fn areas(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+    for piece in ends(panel, curve).iter().filter(|piece| piece.len() > 1) {
+        let lower = piece.iter().map(|[low, _]| *low);
+        let upper = piece.iter().rev().map(|[_, high]| *high);
         sheet.area(lower.chain(upper).collect(), curve.ink.thin(0.15));
+    }
+}
+
+/// The range that a curve's points were found in, as a band; a bar at a point none of whose neighbours has one.
+pub(crate) fn curve_band(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
+    areas(sheet, panel, curve);
+    for piece in ends(panel, curve) {
+        if let [alone] = piece.as_slice() {
+            whisker(sheet, curve, *alone);
+        }
     }
 }
 
 /// The range that a curve's points were found in, as a band, or as bars where there is no line.
 pub(crate) fn curve_spread(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
     if curve.line.is_some() {
-        curve_band(sheet, panel, curve);
+        areas(sheet, panel, curve);
     }
     curve_whiskers(sheet, panel, curve);
 }
 
 /// The range that a curve's points were found in, as bars.
 pub(crate) fn curve_whiskers(sheet: &mut Sheet, panel: &Panel, curve: &Curve) {
-    for [low, high] in ends(panel, curve) {
-        if (low[1] - high[1]).abs() < 1.0 {
-            continue;
-        }
-        sheet.line(vec![low, high], curve.ink.thin(0.8 * curve.ink.alpha), 1.2);
-        for [x, y] in [low, high] {
-            sheet.line(vec![[x - 3.5, y], [x + 3.5, y]], curve.ink, 1.2);
-        }
+    for ends in ends(panel, curve).concat() {
+        whisker(sheet, curve, ends);
+    }
+}
+
+fn whisker(sheet: &mut Sheet, curve: &Curve, [low, high]: [[f64; 2]; 2]) {
+    if (low[1] - high[1]).abs() < 1.0 {
+        return;
+    }
+    sheet.line(vec![low, high], curve.ink.thin(0.8 * curve.ink.alpha), 1.2);
+    for [x, y] in [low, high] {
+        sheet.line(vec![[x - 3.5, y], [x + 3.5, y]], curve.ink, 1.2);
     }
 }
 
@@ -270,7 +291,7 @@ mod tests {
                 ink: series(0),
                 marker: Marker::Disc,
                 points: vec![[10.0, 0.02], [100.0, 1.0], [900.0, 20.0]],
-                spread: vec![[0.02, 0.02], [0.9, 2.0], [20.0, 30.0]],
+                spread: vec![Some([0.02, 0.02]), Some([0.9, 2.0]), Some([20.0, 30.0])],
                 line: Some(2.0),
             }],
             rules,
@@ -294,6 +315,36 @@ mod tests {
         assert_eq!(text.matches(">limit: 300</text>").count(), 2);
         assert!(text.contains(">a note</text>") && text.contains(">all</text>"));
         assert!(!svg(&chart(Vec::new()).draw(900, 600)).contains("dasharray"));
+    }
+
+    #[test]
+    fn a_band_breaks_where_nothing_is_known_of_the_spread() {
+        let mut chart = chart(Vec::new());
+        let mut curve = chart.curves.remove(0);
+        curve.points = [10.0, 20.0, 50.0, 100.0, 900.0].map(|x| [x, 1.0]).to_vec();
+        let known = Some([0.5, 2.0]);
+        let panel = Panel {
+            edges: [0.0, 0.0, 500.0, 500.0],
+            x: chart.x.clone(),
+            y: chart.y.clone(),
+        };
+        let mut drawn = |spread: [Option<[f64; 2]>; 5]| {
+            curve.spread = spread.to_vec();
+            let mut sheet = Sheet::titled(600, 600, "", "");
+            let before = sheet.shapes.len();
+            curve_band(&mut sheet, &panel, &curve);
+            let shapes = &sheet.shapes[before..];
+            let areas = shapes
+                .iter()
+                .filter(|shape| matches!(shape, super::super::sheet::Shape::Area { .. }));
+            let areas = areas.count();
+            (areas, shapes.len() - areas)
+        };
+        assert_eq!(drawn([known; 5]), (1, 0));
+        assert_eq!(drawn([known, known, None, known, known]), (2, 0));
+        // A bar and its two ends, where a band has no width.
+        assert_eq!(drawn([known, None, None, known, known]), (1, 3));
+        assert_eq!(drawn([None; 5]), (0, 0));
     }
 
     #[test]

@@ -17,6 +17,8 @@ use simbeeotic_units::Length;
 
 /// About so many cells in a row, unless their side is said.
 const CELLS: f64 = 100.0;
+/// Of more groups the shares have no room below the title.
+const SHARES_SAID: usize = 4;
 
 /// What a run came to.
 pub(super) struct Run {
@@ -104,7 +106,13 @@ pub(super) fn coverage(sources: &Sources, options: &CoverageOptions) -> Result<S
             share: seen.share,
         });
     }
-    let what = said(&runs, &grid, reach_m) + &without(&left_out);
+    let seen: Vec<_> = (groups.iter())
+        .map(|group| {
+            let mine = group.places.iter().map(|at| &runs[*at]);
+            (group.name.as_str(), mine.collect())
+        })
+        .collect();
+    let what = said(&seen, &grid, reach_m) + &without(&left_out);
     let [width, height] = options.plot.size();
     let title = match options.over_time {
         true => "Coverage over time",
@@ -132,19 +140,33 @@ fn shown(seen: &Seen, kind: CoverageKind) -> Vec<f32> {
     visits.enumerate().map(value).collect()
 }
 
-/// How much of the area was seen, and of what cells that is.
-fn said(runs: &[Run], grid: &Grid, reach_m: f64) -> String {
-    let ends: Vec<_> = runs.iter().map(|run| (run.seed, 100.0 * run.end)).collect();
-    let ends = units(&ends);
-    let spread = match half_width(&ends) {
-        Some(half) => format!(" \u{b1} {half:.1}"),
-        None => String::new(),
+/// How much of the area was seen, by each group if they are few, and of what cells that is.
+fn said(groups: &[(&str, Vec<&Run>)], grid: &Grid, reach_m: f64) -> String {
+    let share = |(name, runs): &(&str, Vec<&Run>)| {
+        let ends: Vec<_> = runs.iter().map(|run| (run.seed, 100.0 * run.end)).collect();
+        let ends = units(&ends);
+        let spread = match half_width(&ends) {
+            Some(half) => format!(" \u{b1} {half:.1}"),
+            None => String::new(),
+        };
+        let share = format!("{:.1}{spread} %", mean(&ends).unwrap_or(0.0));
+        match groups.len() {
+            1 => share,
+            _ => format!("{name}: {share}"),
+        }
+    };
+    let area = format!("{:.6} m\u{b2}", Rounded(grid.area_m2()));
+    let several = groups.iter().any(|(_, runs)| runs.len() > 1);
+    let seen = match groups.len() {
+        1..=SHARES_SAID => {
+            let shares: Vec<String> = groups.iter().map(share).collect();
+            let of_mean = if several { " in the mean" } else { "" };
+            format!("{} of {area} seen{of_mean}", shares.join(", "))
+        }
+        _ => area,
     };
     format!(
-        "{:.1}{spread} % of {:.6} m\u{b2} seen{}, cells of {:.4} m, reach {:.4} m",
-        mean(&ends).unwrap_or(0.0),
-        Rounded(grid.area_m2()),
-        if runs.len() > 1 { " in the mean" } else { "" },
+        "{seen}, cells of {:.4} m, reach {:.4} m",
         Rounded(grid.cell_m),
         Rounded(reach_m)
     )
@@ -293,6 +315,34 @@ fn over_time(sheet: &mut Sheet, groups: &[Group], runs: &[Run]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_group_says_how_much_it_saw() {
+        let run = |seed: u64, end: f64| Run {
+            end,
+            ..Run::of_one_cell(seed, 1.0)
+        };
+        let runs = [run(1, 0.42), run(2, 0.44), run(1, 0.76), run(2, 0.78)];
+        let grid = Grid::over([0.0, 0.0, 20.0, 20.0], 1.0)
+            .ok()
+            .expect("a grid");
+        let few = ("n = 10", vec![&runs[0], &runs[1]]);
+        let many = ("n = 40", vec![&runs[2], &runs[3]]);
+        let cells = "cells of 1 m, reach 0.5 m";
+        // s = 1.414, t(1) = 12.706, over the root of two.
+        assert_eq!(
+            said(&[few.clone(), many.clone()], &grid, 0.5),
+            format!(
+                "n = 10: 43.0 \u{b1} 12.7 %, n = 40: 77.0 \u{b1} 12.7 % of 400 m\u{b2} seen in the mean, {cells}"
+            )
+        );
+        assert_eq!(
+            said(&[("", vec![&runs[0]])], &grid, 0.5),
+            format!("42.0 % of 400 m\u{b2} seen, {cells}")
+        );
+        let lots = vec![few; SHARES_SAID + 1];
+        assert_eq!(said(&lots, &grid, 0.5), format!("400 m\u{b2}, {cells}"));
+    }
 
     #[test]
     fn numbers_in_captions_are_short() {

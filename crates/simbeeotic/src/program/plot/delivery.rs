@@ -50,7 +50,6 @@ pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<S
     lower.draw(&mut sheet, true);
     counts(&mut sheet, &lower, &runs.all, |bin| bin.sent);
 
-    let several = groups.iter().any(|group| group.runs.len() > 1);
     let mut column = Column::beside(&upper);
     let curves: Vec<Curve> = (groups.iter().enumerate())
         .map(|(place, group)| {
@@ -58,10 +57,10 @@ pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<S
             curve(&mine, place, &group.name)
         })
         .collect();
-    for curve in &curves {
-        match several {
-            true => curve_band(&mut sheet, &upper, curve),
-            false => curve_whiskers(&mut sheet, &upper, curve),
+    for (curve, group) in curves.iter().zip(&groups) {
+        match group.runs.len() {
+            0 | 1 => curve_whiskers(&mut sheet, &upper, curve),
+            _ => curve_band(&mut sheet, &upper, curve),
         }
     }
     for curve in &curves {
@@ -75,12 +74,23 @@ pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<S
     said(
         &mut sheet,
         &upper,
-        match several {
-            true => "mean over runs, and where it is with 95 % confidence",
-            false => "received over sent; bars: Wilson's 95 % interval, if frames are independent",
-        },
+        spreads(groups.iter().map(|group| group.runs.len())),
     );
     Ok(sheet)
+}
+
+/// What the bands and bars are, of groups of so many runs.
+fn spreads(groups: impl Iterator<Item = usize>) -> &'static str {
+    let (one, several): (Vec<_>, Vec<_>) = groups.partition(|runs| *runs < 2);
+    match (one.is_empty(), several.is_empty()) {
+        (true, _) => "mean over runs, and where it is with 95 % confidence",
+        (false, true) => {
+            "received over sent; bars: Wilson's 95 % interval, if frames are independent"
+        }
+        (false, false) => {
+            "mean over runs, and where it is with 95 % confidence; bars, of one run: Wilson's interval"
+        }
+    }
 }
 
 /// The delivery ratios of some runs.
@@ -105,22 +115,22 @@ fn curve(runs: &[&(Option<u64>, Bins)], place: usize, name: &str) -> Curve {
     }
 }
 
-/// The delivery ratio in a bin, and its 95 % interval: of one run by Wilson, of several of their mean, by Student.
-/// `None` if nothing was sent.
-fn ratio(runs: &[&(Option<u64>, Bins)], bin: usize) -> Option<(f64, [f64; 2])> {
+/// The delivery ratio in a bin, and its 95 % interval: of one run by Wilson, of several of their mean, by Student,
+/// unless only one of them sent there. `None` if nothing was sent.
+fn ratio(runs: &[&(Option<u64>, Bins)], bin: usize) -> Option<(f64, Option<[f64; 2]>)> {
     let bins = runs
         .iter()
         .filter_map(|(seed, bins)| Some((*seed, bins.bins.get(bin)?)));
     let sent: Vec<_> = bins.filter(|(_, bin)| bin.sent > 0).collect();
     let share = |bin: &Bin| bin.received as f64 / bin.sent as f64;
     if let ([(_, bin)], 1) = (sent.as_slice(), runs.len()) {
-        return Some((share(bin), wilson(bin.received, bin.sent)));
+        return Some((share(bin), Some(wilson(bin.received, bin.sent))));
     }
     let shares: Vec<_> = sent.iter().map(|(seed, bin)| (*seed, share(bin))).collect();
     let shares = units(&shares);
     let middle = mean(&shares)?;
-    let half = half_width(&shares).unwrap_or(0.0);
-    Some((middle, [(middle - half).max(0.0), (middle + half).min(1.0)]))
+    let ends = half_width(&shares).map(|half| [(middle - half).max(0.0), (middle + half).min(1.0)]);
+    Some((middle, ends))
 }
 
 /// RSSI of what was received over distance.
@@ -251,7 +261,7 @@ fn binned(
     let pooled = filled(none(), links.iter().flatten());
     let heard = all().filter(|link| link.received > 0 && link.rssi_dbm.is_finite());
     let dots = heard.map(|link| [f64::from(link.distance_m), f64::from(link.rssi_dbm)]);
-    let caption = caption(sources, &links.concat(), &pooled);
+    let caption = caption(sources, &links, &pooled);
     let runs = Runs {
         each,
         dots: dots.collect(),
@@ -280,12 +290,18 @@ fn bin_width(text: &str, reach_m: f64) -> Result<f64, Failure> {
     )))
 }
 
-fn caption(sources: &Sources, links: &[Links], bins: &Bins) -> String {
-    let last = links.last().map_or(0, |l| l.time_ns);
-    let first = links.first().map_or(0, |l| {
-        l.time_ns.saturating_sub((l.period_s * 1e9).round() as u64)
-    });
-    let radios = links.iter().map(|l| l.radios.len()).max().unwrap_or(0);
+/// From when to when there are links: the earliest and the latest of all runs, ns.
+fn times_ns(runs: &[Vec<Links>]) -> [u64; 2] {
+    let all = || runs.iter().flatten();
+    let begins = all().map(|l| (l.time_ns).saturating_sub((l.period_s * 1e9).round() as u64));
+    let ends = all().map(|l| l.time_ns);
+    [begins.min().unwrap_or(0), ends.max().unwrap_or(0)]
+}
+
+fn caption(sources: &Sources, runs: &[Vec<Links>], bins: &Bins) -> String {
+    let [first, last] = times_ns(runs);
+    let radios = runs.iter().flatten().map(|l| l.radios.len());
+    let radios = radios.max().unwrap_or(0);
     let sum = |part: fn(&Bin) -> u64| -> String {
         grouped(&bins.bins.iter().map(part).sum::<u64>().to_string())
     };
@@ -371,9 +387,10 @@ mod tests {
             run(4, 0, 0),
         ];
         let runs: Vec<_> = runs.iter().collect();
-        assert_eq!(ratio(&runs[..1], 0), Some((0.3, wilson(30, 100))));
+        assert_eq!(ratio(&runs[..1], 0), Some((0.3, Some(wilson(30, 100)))));
         // s = 0.2, t(2) = 4.3027; the last sent nothing.
-        let (middle, [low, high]) = ratio(&runs, 0).expect("a ratio");
+        let (middle, ends) = ratio(&runs, 0).expect("a ratio");
+        let [low, high] = ends.expect("three runs");
         let half = 4.3027 * 0.2 / 3.0_f64.sqrt();
         assert!(
             (middle - 0.5).abs() < 1e-12 && (low - 0.5 + half).abs() < 1e-4,
@@ -382,5 +399,36 @@ mod tests {
         assert!((high - 0.5 - half).abs() < 1e-4, "{high}");
         assert_eq!(ratio(&runs[3..], 0), None);
         assert_eq!(ratio(&runs, 1), None);
+    }
+
+    #[test]
+    fn where_one_of_several_runs_sent_nothing_is_known_of_the_spread() {
+        let runs = [run(1, 5, 10), run(2, 0, 0), run(3, 0, 0)];
+        let runs: Vec<_> = runs.iter().collect();
+        assert_eq!(ratio(&runs, 0), Some((0.5, None)));
+    }
+
+    #[test]
+    fn what_is_drawn_of_one_run_is_said_apart_from_what_is_drawn_of_several() {
+        let said = |groups: &[usize]| spreads(groups.iter().copied());
+        assert!(said(&[3, 2]).starts_with("mean") && !said(&[3, 2]).contains("bars"));
+        assert!(said(&[1, 1]).starts_with("received over sent; bars"));
+        assert!(said(&[3, 1]).starts_with("mean") && said(&[3, 1]).contains("bars, of one run"));
+    }
+
+    #[test]
+    fn the_times_are_the_first_and_the_last_of_all_runs() {
+        let at = |times_s: &[u64]| -> Vec<Links> {
+            let links = times_s.iter().map(|time_s| Links {
+                time_ns: time_s * 1_000_000_000,
+                period_s: 1.0,
+                ..Links::default()
+            });
+            links.collect()
+        };
+        // The first run begins late, the last ends early.
+        let runs = [at(&[5, 9]), Vec::new(), at(&[2, 6])];
+        assert_eq!(times_ns(&runs), [1_000_000_000, 9_000_000_000]);
+        assert_eq!(times_ns(&[]), [0, 0]);
     }
 }

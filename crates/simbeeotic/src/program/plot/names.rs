@@ -2,6 +2,7 @@
 
 use super::super::Failure;
 use super::source::Source;
+use simbeeotic_record::Stage;
 use simbeeotic_units::did_you_mean;
 use std::collections::BTreeSet;
 
@@ -99,6 +100,32 @@ pub(super) fn unknown(source: &Source, name: &str) -> Result<Failure, Failure> {
     )))
 }
 
+/// Refuses what is to be hidden but is the label or kind of nothing in any of these worlds.
+pub(super) fn hidden(stages: &[&Stage], hide: &[String]) -> Result<(), Failure> {
+    let props = stages.iter().flat_map(|stage| &stage.props);
+    let known: BTreeSet<&str> = props
+        .flat_map(|prop| [prop.label.as_str(), prop.kind.as_str()])
+        .filter(|name| !name.is_empty())
+        .collect();
+    let Some(strange) = hide.iter().find(|h| !known.contains(h.as_str())) else {
+        return Ok(());
+    };
+    let guess = did_you_mean(strange, known.iter().copied())
+        .map_or(".".to_owned(), |guess| format!("; did you mean {guess:?}?"));
+    let listed: Vec<&str> = known.iter().copied().take(LISTED).collect();
+    let has = match (listed.is_empty(), known.len() > LISTED) {
+        (true, _) => "no objects".to_owned(),
+        (_, more) => format!(
+            "objects of these labels and kinds: {}{}",
+            listed.join(", "),
+            if more { " ..." } else { "" }
+        ),
+    };
+    Err(Failure::input(format!(
+        "--hide {strange}: no object has this label or kind{guess} The world has {has}"
+    )))
+}
+
 /// A path with stars for its numbers: `bee-*/battery/soc`.
 fn starred(path: &str) -> String {
     let part = |part: &str| match part.rsplit_once('-') {
@@ -112,6 +139,33 @@ fn starred(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use simbeeotic_record::stage::Prop;
+
+    #[test]
+    fn what_is_hidden_must_be_there() {
+        let prop = |label: &str, kind: &str| Prop {
+            label: label.to_owned(),
+            kind: kind.to_owned(),
+            ..Prop::default()
+        };
+        let stage = Stage {
+            props: vec![prop("roof", "structure"), prop("", "flower")],
+            ..Stage::default()
+        };
+        let hide = |word: &str| hidden(&[&stage], &[word.to_owned()]);
+        assert!(hide("roof").is_ok() && hide("structure").is_ok() && hide("flower").is_ok());
+        for (word, said) in [
+            ("rooof", "did you mean \"roof\"?"),
+            ("nosuch", "flower, roof, structure"),
+            ("", "no object has this label or kind"),
+        ] {
+            let error = hide(word).expect_err(word).message;
+            assert!(error.contains(said), "{said} in {error}");
+        }
+        let none = hidden(&[&Stage::default()], &["roof".to_owned()]);
+        let none = none.expect_err("an empty world").message;
+        assert!(none.contains("no objects"), "{none}");
+    }
 
     #[test]
     fn patterns_mean_whole_names_or_their_last_parts() {

@@ -1,5 +1,7 @@
 //! `plot sweep`: what runs come to over what was varied, from a table of runs.
 
+mod said;
+
 use super::super::Failure;
 use super::arguments::SweepPlotOptions;
 use super::axes::{Axis, Panel};
@@ -11,6 +13,7 @@ use super::runs::{Column, Runs, Values};
 use super::series::value_axis;
 use super::sheet::{Anchor, HEAD, SMALL, Sheet, TEXT};
 use super::sweep::short;
+use said::caption;
 use simbeeotic_view::render::words;
 
 /// As many colours are told apart.
@@ -46,13 +49,16 @@ impl Numbers {
         }
     }
 
-    /// The mean and the ends of its 95 % interval, as far as there can be such numbers; of one number that number.
-    fn estimate(&self, limits: Limits) -> (f64, [f64; 2], [bool; 2]) {
+    /// The mean and the ends of its 95 % interval, as far as there can be such numbers; of one number no ends, since
+    /// it says nothing of its spread.
+    fn estimate(&self, limits: Limits) -> (f64, Option<[f64; 2]>, [bool; 2]) {
         let middle = mean(&self.units).unwrap_or(f64::NAN);
-        let half = half_width(&self.units).unwrap_or(0.0);
+        let Some(half) = half_width(&self.units) else {
+            return (middle, None, [false; 2]);
+        };
         let ends = [middle - half, middle + half];
         let (kept, _) = limits.cut(ends);
-        (middle, kept, [kept[0] != ends[0], kept[1] != ends[1]])
+        (middle, Some(kept), [kept[0] != ends[0], kept[1] != ends[1]])
     }
 }
 
@@ -253,6 +259,7 @@ fn x_axis(x: &Column, values: &Values, whole: bool) -> Axis {
 fn y_axis(part: &Part, bars: bool) -> Axis {
     let ends = part.numbers().flat_map(|numbers| {
         let (_, ends, _) = numbers.estimate(part.limits);
+        let ends = ends.into_iter().flatten();
         numbers.runs.iter().copied().chain(ends).collect::<Vec<_>>()
     });
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -387,76 +394,6 @@ fn key(sheet: &mut Sheet, panel: &Panel, part: &Part) {
     }
 }
 
-/// How many runs there are, and what the band is.
-fn caption(runs: &Runs, x: &Column, by: &Option<Column>, parts: &[Part], missing: usize) -> String {
-    let counts = || {
-        parts
-            .iter()
-            .flat_map(Part::numbers)
-            .map(|numbers| numbers.units.len())
-    };
-    let (least, most) = (counts().min().unwrap_or(0), counts().max().unwrap_or(0));
-    let good = runs.good().count();
-    let mut text = match good {
-        1 => "1 run".to_owned(),
-        n => format!("{n} runs"),
-    };
-    let each = match least == most {
-        true => most.to_string(),
-        false => format!("{least} to {most}"),
-    };
-    match most {
-        0 | 1 if good == 1 => {}
-        0 | 1 => text.push_str("; one at each place, so nothing is known of their spread"),
-        _ => {
-            let mut pooled = runs.pooled(x, by.as_ref());
-            let seeds = pooled.iter().position(|key| *key == "seed");
-            let of = match seeds {
-                Some(at) => {
-                    pooled.remove(at);
-                    "seeds"
-                }
-                None => "runs",
-            };
-            let over = match (pooled.as_slice(), seeds) {
-                ([], _) => String::new(),
-                (keys, Some(_)) => format!(", averaged over {}", keys.join(", ")),
-                (keys, None) => format!(", over {}", keys.join(", ")),
-            };
-            let mut cut = [false; 2];
-            let mut said = String::new();
-            for part in parts {
-                for numbers in part.numbers() {
-                    let (_, _, [low, high]) = numbers.estimate(part.limits);
-                    cut = [cut[0] || low, cut[1] || high];
-                }
-                said = part.limits.said(cut);
-            }
-            let band = "mean, and where it is with 95 % confidence";
-            text.push_str(&format!(
-                "; {each} {of} at each place{over}: {band}{said}; dots: the runs"
-            ));
-        }
-    }
-    let metrics = parts
-        .iter()
-        .map(|part| part.lines.len())
-        .sum::<usize>()
-        .max(1);
-    match missing {
-        0 => {}
-        1 => text.push_str("; a number is missing and left out"),
-        n if metrics > 1 && n > good => {
-            text.push_str(&format!("; {n} numbers are missing and left out"));
-        }
-        n => text.push_str(&format!("; {n} of them have no number and are left out")),
-    }
-    if runs.failed() > 0 {
-        text.push_str(&format!("; {} failed and are left out", runs.failed()));
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -468,10 +405,18 @@ mod tests {
             let limits = Limits::of("trips", "", numbers.runs.iter().copied());
             numbers.estimate(limits)
         };
-        let (middle, [low, _], [cut, _]) = estimate(&[("1", 0.0), ("2", 0.0), ("3", 1.0)]);
-        assert!(middle > 0.3 && low == 0.0 && cut);
-        let (_, [low, _], [cut, _]) = estimate(&[("1", 0.0), ("2", -0.1), ("3", 1.0)]);
-        assert!(low < -0.5 && !cut);
+        let (middle, ends, [cut, _]) = estimate(&[("1", 0.0), ("2", 0.0), ("3", 1.0)]);
+        assert!(middle > 0.3 && ends.is_some_and(|[low, _]| low == 0.0) && cut);
+        let (_, ends, [cut, _]) = estimate(&[("1", 0.0), ("2", -0.1), ("3", 1.0)]);
+        assert!(ends.is_some_and(|[low, _]| low < -0.5) && !cut);
+    }
+
+    #[test]
+    fn of_one_run_nothing_is_known_of_the_spread() {
+        let (middle, ends, cut) = Numbers::of(&[("1", 3.0)]).estimate(Limits::NONE);
+        assert_eq!((middle, ends, cut), (3.0, None, [false; 2]));
+        let (_, ends, _) = Numbers::of(&[("1", 3.0), ("1", 3.0)]).estimate(Limits::NONE);
+        assert_eq!(ends, Some([3.0; 2]), "two that are alike are another thing");
     }
 
     #[test]

@@ -10,20 +10,25 @@ const Z: f64 = 1.959_963_984_540_054;
 ///
 /// E. B. Wilson, *Probable inference, the law of succession, and statistical inference*, JASA 22 (1927).
 pub(super) fn wilson(hits: u64, trials: u64) -> [f64; 2] {
-    if trials == 0 {
-        return [0.0, 1.0];
+    match trials {
+        0 => [0.0, 1.0],
+        _ => wilson_of_share(hits as f64 / trials as f64, trials as f64),
     }
-    let (n, share) = (trials as f64, hits as f64 / trials as f64);
+}
+
+/// The same interval of a share that was found in `n` trials, more than none; of trials that came true in part,
+/// their mean.
+pub(super) fn wilson_of_share(share: f64, n: f64) -> [f64; 2] {
     let middle = share + Z * Z / (2.0 * n);
     let half = Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
     let whole = 1.0 + Z * Z / n;
     // At the ends the exact value is 0 or 1; rounding may miss it.
-    let low = if hits == 0 {
+    let low = if share <= 0.0 {
         0.0
     } else {
         (middle - half) / whole
     };
-    let high = if hits == trials {
+    let high = if share >= 1.0 {
         1.0
     } else {
         (middle + half) / whole

@@ -7,6 +7,7 @@ use super::flights::{Flight, Flights};
 use super::ground::{Ground, MarkKind, draw_mark};
 use super::lines::{clipped, simplified};
 use super::map::{Column, Names, axes, heading, maps, north, scale_bar};
+use super::names;
 use super::palette::{ramp, series};
 use super::sheet::{FAINT, Ink, SMALL, Sheet, WHITE};
 use super::solid;
@@ -44,6 +45,8 @@ pub(super) struct Scene {
     /// Who stays where it is.
     pub(super) still: Vec<Flight>,
     pub(super) stage: Option<Stage>,
+    /// Whether some things do not stand in all of its runs.
+    differ: bool,
     /// Of all, those who stay among them.
     pub(super) spans_m: [[f64; 2]; 3],
     /// The first and the last time, ns.
@@ -64,6 +67,11 @@ pub(super) fn traces(sources: &Sources, options: &TraceOptions) -> Result<Sheet,
         .iter()
         .map(|group| Scene::of(group, options, &mut runs));
     let scenes: Vec<Scene> = scenes.collect::<Result<_, _>>()?;
+    let stages: Vec<&Stage> = scenes.iter().filter_map(|s| s.stage.as_ref()).collect();
+    // What does not stand in all runs is not drawn; hidden it may be, then.
+    if !stages.is_empty() && !scenes.iter().any(|scene| scene.differ) {
+        names::hidden(&stages, &options.hide)?;
+    }
     let over = groups.iter().any(|group| group.runs.len() > 1);
     let color = options.color.or(over.then_some(ColorBy::Run));
     let paints = Paints::of(&scenes, color, runs);
@@ -118,6 +126,7 @@ impl Scene {
             moving: Vec::new(),
             still: Vec::new(),
             stage,
+            differ: others > 0,
             spans_m: [[f64::INFINITY, f64::NEG_INFINITY]; 3],
             times_ns: [u64::MAX, 0],
         };
