@@ -525,7 +525,7 @@ fn a_picture_of_a_sweep_has_its_axes_its_keys_and_says_what_it_is_of() {
     assert!(split.contains(">n = 5</text>") && split.contains(">n = 9</text>"));
     let two = svg(&["--metric", "near", "--metric", "loss"]);
     for words in [
-        ">m</text>",
+        ">spread, near, m</text>",
         ">loss</text>",
         ">near</text>",
         ">spread</text>",
