@@ -78,8 +78,9 @@ export class Sight {
     else if (this.since_s !== null) this.onSwarm(true);
   }
 
-  /** Whether the last vehicle has just left the picture; told again when most have been back. */
+  /** Whether the last vehicle has just left a picture that somebody has chosen; told again when most have been back. */
   lost(view: THREE.Matrix4): boolean {
+    if (this.since_s !== null) return false;
     const seen = this.seen(view);
     if (seen > 0.5) this.sighted = true;
     if (seen > 0 || !this.sighted || !this.placed) return false;
