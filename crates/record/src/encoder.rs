@@ -37,9 +37,9 @@ pub(crate) struct Encoder {
     with_twists: bool,
     /// Bytes of messages that no closed chunk holds.
     in_chunk: usize,
-    /// Messages that go into a chunk of their own, see [`stands_aside`]: channel, time, and where they end in the bytes
+    /// Messages that go into a chunk of their own, see [`stands_aside`]: topic, time, and where they end in the bytes
     /// below.
-    aside: Vec<(u16, u64, usize)>,
+    aside: Vec<(Topic, u64, usize)>,
     aside_bytes: Vec<u8>,
     last_tick_ns: Option<u64>,
     poses: message::PosesInFrame,
@@ -286,13 +286,7 @@ impl Encoder {
     }
 
     pub(crate) fn wind(&mut self, wind: &Wind) -> McapResult<()> {
-        let channel = match self.wind {
-            Some(channel) => channel,
-            None => {
-                *(self.wind).insert(declare(&mut self.writer, Topic::Wind, Topic::Wind.name())?)
-            }
-        };
-        self.put_aside(channel, wind.time_ns, &wind.pack(self.precision))
+        self.message(Topic::Wind, wind.time_ns, &wind.pack(self.precision))
     }
 
     pub(crate) fn picture(&mut self, picture: &Picture) -> McapResult<()> {
@@ -309,29 +303,36 @@ impl Encoder {
     }
 
     fn message(&mut self, topic: Topic, time_ns: u64, message: &impl Message) -> McapResult<()> {
-        let channel = self.channels[topic as usize];
         match stands_aside(topic) {
-            true => self.put_aside(channel, time_ns, message),
-            false => self.message_on(channel, time_ns, message),
+            true => self.put_aside(topic, time_ns, message),
+            false => self.message_on(self.channels[topic as usize], time_ns, message),
         }
     }
 
-    fn put_aside(&mut self, channel: u16, time_ns: u64, message: &impl Message) -> McapResult<()> {
+    fn put_aside(&mut self, topic: Topic, time_ns: u64, message: &impl Message) -> McapResult<()> {
         let before = self.aside_bytes.len();
         // Cannot fail: a vector grows.
         let written = message.encode(&mut self.aside_bytes);
         written.map_err(io::Error::other)?;
         let end = self.aside_bytes.len();
-        self.aside.push((channel, time_ns, end));
+        self.aside.push((topic, time_ns, end));
         self.in_chunk += end - before;
         self.progress.count_message();
         Ok(())
     }
 
-    /// Writes what was put aside into a chunk, which stays open.
+    /// Writes what was put aside into a chunk, which stays open. A channel that is made here stands in the chunk of its
+    /// first message: who passes over other chunks finds it there.
     fn write_aside(&mut self) -> McapResult<()> {
         let mut from = 0;
-        for (channel, time_ns, end) in self.aside.drain(..) {
+        for (topic, time_ns, end) in self.aside.drain(..) {
+            let channel = match (topic, self.wind) {
+                (Topic::Wind, Some(channel)) => channel,
+                (Topic::Wind, None) => {
+                    *(self.wind).insert(declare(&mut self.writer, topic, topic.name())?)
+                }
+                _ => self.channels[topic as usize],
+            };
             let header = header(channel, time_ns);
             let bytes = &self.aside_bytes[from..end];
             self.writer.write_to_known_channel(&header, bytes)?;

@@ -5,10 +5,11 @@
 //! so this reads only a few bytes for each megabyte. Whatever follows the first record that makes
 //! no sense is ignored.
 
+use crate::chunk;
 use crate::frame::{self, ChunkHeader, Fields, MAGIC, RECORD_HEADER, op};
 use crate::source::Source;
 use crate::topic::Topic;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
 /// The ids of the channels that we know.
@@ -23,6 +24,8 @@ pub(crate) struct Index {
     pub(crate) channels: Channels,
     /// Whether the file was finished.
     pub(crate) whole: bool,
+    /// Whether the file said so itself: then all its channels are known.
+    pub(crate) summed_up: bool,
 }
 
 /// A record in the file, with its opcode and length.
@@ -99,6 +102,7 @@ fn footer(bytes: &[u8]) -> Option<(u64, u32)> {
 fn summary(bytes: &[u8], file_length: u64) -> Option<Index> {
     let mut index = Index {
         whole: true,
+        summed_up: true,
         ..Index::default()
     };
     let mut records = Fields(bytes);
@@ -208,6 +212,46 @@ fn scan(source: &Source) -> io::Result<Index> {
         last.channels = None;
     }
     Ok(index)
+}
+
+/// Learns the channels of a file without summary: looks into its chunks, in order, until all that have messages are
+/// known. Most are declared in the first chunk; those of pictures and of the wind when there are any, and whoever
+/// passes over that chunk would not know them later.
+pub(crate) fn learn_channels(source: &Source, index: &mut Index) {
+    if index.summed_up {
+        return;
+    }
+    let mut unknown = BTreeSet::new();
+    // Behind the first message of the last channel there is nothing to learn.
+    let mut last = 0;
+    for (place, chunk) in index.chunks.iter().enumerate() {
+        for (id, _) in chunk.channels.iter().flatten() {
+            if !index.channels.contains_key(id) && unknown.insert(*id) {
+                last = place;
+            }
+        }
+    }
+    for entry in &index.chunks[..(last + 1).min(index.chunks.len())] {
+        if unknown.is_empty() {
+            return;
+        }
+        // One that is damaged is told when somebody wants what is in it.
+        let Ok(bytes) = chunk::load(source, entry) else {
+            continue;
+        };
+        let mut records = Fields(&bytes);
+        while let Some((opcode, body)) = records.record() {
+            if opcode != op::CHANNEL {
+                continue;
+            }
+            if let Some((id, _)) = frame::channel(body) {
+                unknown.remove(&id);
+            }
+            if add_channel(&mut index.channels, body).is_none() {
+                break;
+            }
+        }
+    }
 }
 
 /// The times of the messages of one channel in one chunk, ns, from the message index that stands at `offset`; `None` if

@@ -366,6 +366,7 @@ impl Recording {
         };
         // In a file without summary the channels are known only now.
         self.index.channels = messages.into_channels();
+        index::learn_channels(&self.source, &mut self.index);
 
         let list = match list {
             Some(list) => list,

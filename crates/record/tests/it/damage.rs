@@ -2,7 +2,10 @@
 
 use crate::swarm::{self, TICK_NS};
 use proptest::prelude::*;
-use simbeeotic_record::{Attachment, Header, Recording, Selection, Tick, export_csv};
+use simbeeotic_model::{Image, Pixels};
+use simbeeotic_record::{
+    Attachment, Header, Picture, Recorder, Recording, Selection, Tick, Wind, export_csv,
+};
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -92,6 +95,77 @@ fn a_recording_cut_anywhere_opens_and_shows_what_is_left() {
         before = ticks.len();
     }
     assert_eq!(before as u64, TICKS);
+}
+
+/// What the wind was at a tick: another at each.
+fn wind(tick: u64) -> Wind {
+    Wind {
+        time_ns: tick * TICK_NS,
+        arrows: vec![[1.0, 2.0, 3.0, tick as f32, 0.5, 0.0]; 4],
+    }
+}
+
+/// A swarm in a wind that comes up late, and a camera that looks up then.
+fn in_the_wind() -> Vec<u8> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("run.mcap");
+    let mut recorder = Recorder::create(&path, swarm::header(VEHICLES)).expect("created");
+    for tick in 0..TICKS {
+        let samples = swarm::samples(tick, VEHICLES);
+        recorder.tick(tick * TICK_NS, samples).expect("recorded");
+        recorder.metrics(swarm::metrics(tick)).expect("recorded");
+        if tick >= UP {
+            recorder.wind(wind(tick)).expect("recorded");
+            recorder.picture(picture(tick)).expect("recorded");
+        }
+    }
+    let stats = recorder.finish(&serde_json::json!({}));
+    stats.expect("finished");
+    std::fs::read(&path).expect("there")
+}
+
+/// When the wind comes up: some chunks are over by then.
+const UP: u64 = TICKS / 3;
+
+fn picture(tick: u64) -> Picture {
+    Picture {
+        time_ns: tick * TICK_NS,
+        path: "bee-0/camera".into(),
+        image: Image {
+            width: 1,
+            height: 1,
+            pixels: Pixels::Grey([tick as u8].into()),
+        },
+    }
+}
+
+#[test]
+fn a_recording_cut_anywhere_keeps_its_wind_and_pictures_up_to_the_cut() {
+    let whole = in_the_wind();
+    for part in (10..=50).rev() {
+        let recording = open(&whole[..whole.len() * part / 50]).expect("it opens");
+        let ticks = recording.ticks().count() as u64;
+        let all: Vec<Wind> = recording
+            .wind_in(0..=u64::MAX)
+            .map(|wind| wind.expect("readable"))
+            .collect();
+        let expected = (UP..).map(wind);
+        assert!(all.iter().cloned().eq(expected.take(all.len())), "{part}");
+        // What stands aside comes behind its poses: the cut may be between them, and a chunk has 33 ticks.
+        let least = ticks.saturating_sub(UP + 40) as usize;
+        assert!(all.len() >= least, "{part}/50: {} of {ticks}", all.len());
+        if let Some(last) = all.last() {
+            let then = last.time_ns..=last.time_ns;
+            let found = recording.wind_in(then).flatten().next();
+            assert_eq!(found.as_ref(), Some(last), "{part}/50: by its time");
+        }
+        // A chunk may end between a tick and its picture.
+        if ticks > UP + 1 {
+            let then = (ticks - 2) * TICK_NS;
+            let found = recording.pictures_in(then..=then).flatten().next();
+            assert_eq!(found, Some(picture(ticks - 2)), "{part}/50: the picture");
+        }
+    }
 }
 
 #[test]

@@ -209,8 +209,11 @@ impl Viewer {
     /// Looks at everything that is due.
     fn look(&mut self, view: &View<'_>, held: bool) {
         let wall = self.pace.wall();
+        // The version first: who comes and goes counts the pages first, so that this version's pages are known, or
+        // those of a later one, which is looked at the next time.
+        let version = self.shared.version.load(Ordering::Acquire);
         let watched = self.shared.pages.load(Ordering::Acquire) > 0;
-        self.heed_wishes(view, watched);
+        self.heed_wishes(view, version, watched);
         self.take_marks(view);
         self.happened.hand_over(view, &self.cast, &self.shared);
         self.take_sample(view, wall, false);
@@ -224,8 +227,7 @@ impl Viewer {
     }
 
     /// Looks at what pages want, if that has changed.
-    fn heed_wishes(&mut self, view: &View<'_>, watched: bool) {
-        let version = self.shared.version.load(Ordering::Acquire);
+    fn heed_wishes(&mut self, view: &View<'_>, version: u64, watched: bool) {
         if version == self.version {
             return;
         }
