@@ -41,8 +41,8 @@ pub struct RecorderComponent {
     air: Option<Air>,
     clocks: Clocks,
     run: RunMetrics,
-    /// Whether there was wind when it was recorded last.
-    windy: bool,
+    /// The wind that was recorded last: it holds until another is.
+    arrows: Vec<[f32; 6]>,
     /// What the user should know at the end.
     notes: Vec<String>,
 }
@@ -63,7 +63,7 @@ impl FromParams for RecorderComponent {
             air: None,
             clocks,
             run: RunMetrics::default(),
-            windy: false,
+            arrows: Vec::new(),
             notes: Vec::new(),
         })
     }
@@ -139,7 +139,7 @@ impl Component for RecorderComponent {
         }
         let wind = self.clocks.wind_period_ns;
         if wind.is_some_and(|period_ns| now_ns.is_multiple_of(period_ns)) {
-            record_wind(recorder, view, &self.bodies, &mut self.windy).map_err(failed)?;
+            record_wind(recorder, view, &self.bodies, &mut self.arrows).map_err(failed)?;
         }
         if !now_ns.is_multiple_of(self.clocks.period_ns) {
             return Ok(());
@@ -307,17 +307,17 @@ fn record_batteries(
     Ok(Some(energy_j))
 }
 
-/// The wind around the swarm; that there is none any more is said once.
+/// The wind around the swarm, if it is another than the `last` that was recorded; none before the first.
 fn record_wind(
     recorder: &mut Recorder,
     view: &View<'_>,
     bodies: &[ModelId],
-    windy: &mut bool,
+    last: &mut Vec<[f32; 6]>,
 ) -> Result<(), RecordError> {
     let states = bodies.iter().filter_map(|id| view.state(*id));
     let wind = Wind::around(view, states.map(|state| state.p_enu.as_vec3().to_array()));
-    let was_windy = std::mem::replace(windy, !wind.arrows.is_empty());
-    if was_windy || *windy {
+    if wind.arrows != *last {
+        last.clone_from(&wind.arrows);
         recorder.wind(wind)?;
     }
     Ok(())

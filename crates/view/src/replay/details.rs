@@ -7,7 +7,7 @@ use crate::wire::{
     BatteryDetails, Details, PacketDetails, Part, RadioDetails, SensorDetails, seconds,
 };
 use simbeeotic_record::{Packet, Reading};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How far back readings and packets are looked for, ns: first near, then far.
 const BACK: [u64; 2] = [2_000_000_000, 60_000_000_000];
@@ -20,20 +20,15 @@ const PACKETS: usize = 20;
 pub(super) struct Counted {
     sent_ns: Vec<u64>,
     received_ns: Vec<u64>,
+    /// Whether the packets of all radios were recorded. If not, those of this one were if there are any.
+    all: bool,
 }
 
-/// What the radios of a vehicle sent and received, by their names on board; nothing where counters were recorded.
+/// What the radios of a vehicle sent and received, by their names on board, as far as the packets tell; nothing of radios
+/// whose counters were recorded.
 pub(super) fn count(shown: &Shown, vehicle: u32) -> BTreeMap<String, Counted> {
     let mut all: BTreeMap<String, Counted> = BTreeMap::new();
     let recording = &shown.recording;
-    if recording
-        .traffic_in(0..=u64::MAX)
-        .flatten()
-        .next()
-        .is_some()
-    {
-        return all;
-    }
     let mut packets = recording.packets_in(0..=u64::MAX).flatten().peekable();
     if packets.peek().is_none() {
         return all;
@@ -47,22 +42,31 @@ pub(super) fn count(shown: &Shown, vehicle: u32) -> BTreeMap<String, Counted> {
         let name = radio.strip_prefix(path.as_str())?.strip_prefix('/')?;
         (!name.contains('/')).then(|| name.to_owned())
     };
+    let (mut counters, mut total) = (BTreeSet::new(), [(0, 0); 2]);
+    for traffic in recording.traffic_in(0..=u64::MAX).flatten() {
+        match traffic.radio.as_str() {
+            "" => total = [total[1], (traffic.time_ns, traffic.total.sent)],
+            radio => counters.extend(on_board(radio)),
+        }
+    }
+    // Of a file that was cut off the last packets may be missing, not those of the period before.
+    let (until_ns, sent) = total[usize::from(!recording.truncated())];
+    let mut found = 0;
     for packet in packets {
+        found += u64::from(packet.time_ns <= until_ns);
         if let Some(name) = on_board(&packet.radio) {
             all.entry(name).or_default().sent_ns.push(packet.time_ns);
         }
-        for name in packet
-            .receptions
-            .iter()
-            .filter_map(|it| on_board(&it.radio))
-        {
-            all.entry(name)
-                .or_default()
-                .received_ns
-                .push(packet.time_ns);
+        for received in &packet.receptions {
+            if let Some(name) = on_board(&received.radio) {
+                let times = &mut all.entry(name).or_default().received_ns;
+                times.push(received.time_ns);
+            }
         }
     }
+    all.retain(|name, _| !counters.contains(name));
     for counted in all.values_mut() {
+        counted.all = found >= sent;
         counted.sent_ns.sort_unstable();
         counted.received_ns.sort_unstable();
     }
@@ -111,13 +115,23 @@ pub(super) fn tell(
     }
     add_readings(shown, &mut details, path, time_ns);
     add_radios(shown, &mut details, path, time_ns);
+    let known: BTreeSet<&String> = details.radios.iter().map(|radio| &radio.name).collect();
+    let new = counted.keys().filter(|name| !known.contains(name));
+    let new: Vec<RadioDetails> = new
+        .map(|name| RadioDetails {
+            name: name.clone(),
+            ..RadioDetails::default()
+        })
+        .collect();
+    details.radios.extend(new);
     for radio in &mut details.radios {
         let Some(counted) = counted.get(&radio.name) else {
             continue;
         };
         let until = |list: &[u64]| list.partition_point(|&at_ns| at_ns <= time_ns) as u64;
-        radio.sent = Some(until(&counted.sent_ns));
-        radio.received = Some(until(&counted.received_ns));
+        let own = counted.all || !counted.sent_ns.is_empty();
+        radio.sent = own.then(|| until(&counted.sent_ns));
+        radio.received = counted.all.then(|| until(&counted.received_ns));
     }
     let number = |name: &str| numbers.get(name).map(|history| history.at(time_s));
     details.battery = number("battery/soc").map(|soc| BatteryDetails {

@@ -70,6 +70,7 @@ impl ReplayPage {
             return;
         };
         self.told = true;
+        past.faults.iter().for_each(|text| Self::error(out, text));
         out.push(
             Said::Marks {
                 list: past.marks.clone(),

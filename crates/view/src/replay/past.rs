@@ -3,8 +3,10 @@
 use super::vehicle_of;
 use crate::series::{History, Series};
 use crate::wire::{Mark, seconds};
-use simbeeotic_record::{Metrics, Recording, Wind};
-use std::collections::BTreeMap;
+use simbeeotic_record::{Metrics, ReadError, Recording, Wind};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 /// Marks that a page is told.
@@ -12,6 +14,9 @@ const MARKS_MAX: usize = 5000;
 
 /// Winds that a page is told: 10 kB each.
 const WINDS_MAX: usize = 120;
+
+/// Faults of a recording that a page is told.
+const FAULTS_MAX: usize = 5;
 
 /// Bytes of columns that are kept to colour vehicles by.
 const COLUMNS_BYTES: usize = 32 << 20;
@@ -31,43 +36,90 @@ pub(super) struct Past {
     pub(super) wind: Vec<Wind>,
     /// What vehicles published, at some times: by the name of the series.
     columns: BTreeMap<String, Columns>,
+    /// What could not be read, for people.
+    pub(super) faults: Vec<String>,
+}
+
+/// What could not be read, each once.
+#[derive(Default)]
+struct Faults(RefCell<BTreeSet<String>>);
+
+impl Faults {
+    /// Those that are read; of the others is kept why not.
+    fn good<'a, T>(
+        &'a self,
+        items: impl Iterator<Item = Result<T, ReadError>> + 'a,
+    ) -> impl Iterator<Item = T> + 'a {
+        items.filter_map(|item| item.map_err(|e| self.add(e.to_string())).ok())
+    }
+
+    fn add(&self, text: String) {
+        let mut known = self.0.borrow_mut();
+        if known.len() < FAULTS_MAX {
+            known.insert(text);
+        }
+    }
 }
 
 impl Past {
-    pub(super) fn read(recording: &Recording, places: &BTreeMap<String, u32>) -> Self {
-        let (marks, marks_dropped) = marks(recording, places);
-        let mut wind = Thin::new(WINDS_MAX);
-        recording
-            .wind_in(0..=u64::MAX)
-            .flatten()
-            .for_each(|it| wind.push(it));
-        let mut past = Self {
-            marks,
-            marks_dropped,
+    /// What `read` returns; if it panics, nothing but the word that it did, so that nobody waits for what never comes.
+    pub(super) fn or_empty(places: &BTreeMap<String, u32>, read: impl FnOnce() -> Self) -> Self {
+        catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|panic| {
+            let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+            let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+            let why = text.unwrap_or_else(|| "no reason is known".to_owned());
+            let mut past = Self::empty(places);
+            past.faults = vec![format!(
+                "marks, statistics and wind of the recording could not be read: {why}"
+            )];
+            past
+        })
+    }
+
+    fn empty(places: &BTreeMap<String, u32>) -> Self {
+        Self {
+            marks: Vec::new(),
+            marks_dropped: 0,
             series: Series::new(places.len()),
-            wind: wind.list,
+            wind: Vec::new(),
             columns: BTreeMap::new(),
-        };
-        past.read_series(recording, places);
+            faults: Vec::new(),
+        }
+    }
+
+    pub(super) fn read(recording: &Recording, places: &BTreeMap<String, u32>) -> Self {
+        let faults = Faults::default();
+        let mut past = Self::empty(places);
+        (past.marks, past.marks_dropped) = marks(recording, places, &faults);
+        let mut wind = Thin::new(WINDS_MAX);
+        faults
+            .good(recording.wind_in(0..=u64::MAX))
+            .for_each(|it| wind.push(it));
+        past.wind = wind.list;
+        past.read_series(recording, places, &faults);
+        past.faults = faults.0.into_inner().into_iter().collect();
         past
     }
 
     /// Walks along the numbers of the recording, each kind in the order of its times.
-    fn read_series(&mut self, recording: &Recording, places: &BTreeMap<String, u32>) {
+    fn read_series(
+        &mut self,
+        recording: &Recording,
+        places: &BTreeMap<String, u32>,
+        faults: &Faults,
+    ) {
         let contacts = self.series.statistic("contacts", "1/s");
         let end_s = seconds(recording.end_ns());
         // A thousand values, or one a second, whichever is more.
         let period_s = (end_s / 1000.0).clamp(0.001, 1.0);
-        let mut touches = recording
-            .events()
-            .flatten()
+        let mut touches = faults
+            .good(recording.events())
             .filter(|event| event.kind == "contact")
             .map(|event| seconds(event.time_ns))
             .peekable();
         let all = |traffic: &simbeeotic_record::Traffic| traffic.radio.is_empty();
-        let mut traffic = recording
-            .traffic_in(0..=u64::MAX)
-            .flatten()
+        let mut traffic = faults
+            .good(recording.traffic_in(0..=u64::MAX))
             .filter(all)
             .peekable();
         let air = traffic.peek().is_some().then(|| {
@@ -78,7 +130,7 @@ impl Past {
                 series.statistic("packets/delivery", "1"),
             ]
         });
-        let mut metrics = recording.metrics().flatten().peekable();
+        let mut metrics = faults.good(recording.metrics()).peekable();
         let count = places.len().max(1);
         let most = (COLUMNS_BYTES / (4 * count * 4)).clamp(10, COLUMNS_MAX);
         let (mut next_s, every_s) = (0.0, end_s / most as f64);
@@ -172,13 +224,17 @@ pub(super) fn of_vehicle(recording: &Recording, path: &str) -> BTreeMap<String, 
 }
 
 /// Events and log lines in the order of their times, thinned if they are too many.
-fn marks(recording: &Recording, places: &BTreeMap<String, u32>) -> (Vec<Mark>, u64) {
+fn marks(
+    recording: &Recording,
+    places: &BTreeMap<String, u32>,
+    faults: &Faults,
+) -> (Vec<Mark>, u64) {
     let who = |path: &str| vehicle_of(places, path).map(|(vehicle, _)| vehicle);
-    let events = recording.events().flatten().map(|event| {
+    let events = faults.good(recording.events()).map(|event| {
         let who = event.paths.iter().filter_map(|path| who(path)).collect();
         (seconds(event.time_ns), event.kind, who, event.text)
     });
-    let lines = recording.log().flatten().map(|line| {
+    let lines = faults.good(recording.log()).map(|line| {
         let who = who(&line.path).into_iter().collect();
         (seconds(line.time_ns), "log".to_owned(), who, line.text)
     });
