@@ -203,7 +203,7 @@ impl Buffer {
 }
 
 /// The name of a file from a relative URI: `%20` is a space (RFC 3986, section 2.1).
-fn percent_decoded(uri: &str) -> Result<String, String> {
+pub(crate) fn percent_decoded(uri: &str) -> Result<String, String> {
     let mut name = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();
     while let [first, after @ ..] = rest {

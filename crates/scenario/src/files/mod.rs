@@ -12,6 +12,8 @@ mod obj;
 mod picture;
 mod stl;
 
+pub(crate) use gltf::percent_decoded;
+
 use crate::limit::FILE_BYTES_MAX;
 use simbeeotic_units::{Length, Offset};
 use simbeeotic_world::{

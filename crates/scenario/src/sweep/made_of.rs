@@ -1,7 +1,9 @@
 //! What the runs of a sweep hang on besides the program: whether a sweep that was broken off is this one.
 
-use super::Sweep;
+use super::{CHECKED_MAX, Sweep};
+use crate::files::percent_decoded;
 use crate::print;
+use crate::variables::Variables;
 use simbeeotic_model::config::{Node, SourceId, Value};
 use simbeeotic_model::kernel::Trace;
 use std::collections::BTreeMap;
@@ -19,14 +21,20 @@ const PIECE: usize = 1 << 20;
 impl Sweep {
     /// What all runs hang on besides the program, each with a hash: the scenario with what the command line
     /// sets in it, but without what varies; and the files that it names, and those that they name. A text in it
-    /// that is the path of a file counts as one.
+    /// that is the path of a file counts as one. Placeholders are looked at with the values of each combination,
+    /// of the first [`CHECKED_MAX`] and of each later one that has a value for the first time.
     pub fn made_of(&self) -> Vec<(String, u64)> {
         let base = &self.base;
         let text = format!("{}\n{}", print::to_toml(&base.tree), base.given.lines());
         let mut found = Found {
             folder: &base.folder,
             files: BTreeMap::new(),
+            open: BTreeMap::new(),
+            variables: base.given.clone(),
         };
+        found
+            .variables
+            .extend(Variables::of(&base.tree, &mut Vec::new()));
         if let Some(world) = &base.world {
             found.file(world.clone());
         }
@@ -34,10 +42,35 @@ impl Sweep {
         for node in self.axes.iter().flat_map(|axis| &axis.values) {
             found.named(node, &base.folder);
         }
+        for run in self.resolved() {
+            // What is wrong is told by who loads it.
+            let mut faults = Vec::new();
+            let mut tree = self.tree(run, &mut faults);
+            found.variables = base.given.clone();
+            found.variables.extend(Variables::of(&tree, &mut faults));
+            found.variables.apply(&mut tree, &mut faults);
+            found.named(&tree, &base.folder);
+            found.again();
+        }
         let scenario = (SCENARIO.to_owned(), hash_of(text.as_bytes()).unwrap_or(0));
         let files = found.files.into_iter();
         let files = files.map(|(path, hash)| (path.display().to_string(), hash));
         std::iter::once(scenario).chain(files).collect()
+    }
+
+    /// The combinations whose files are looked for.
+    fn resolved(&self) -> impl Iterator<Item = usize> {
+        let mut seen: Vec<Vec<bool>> = (self.axes.iter())
+            .map(|axis| vec![false; axis.values.len()])
+            .collect();
+        let combinations = self.combinations.iter().enumerate();
+        combinations.filter_map(move |(run, places)| {
+            let mut new = run < CHECKED_MAX;
+            for (seen, place) in seen.iter_mut().zip(places) {
+                new |= !std::mem::replace(&mut seen[*place as usize], true);
+            }
+            new.then_some(run)
+        })
     }
 
     /// Seed and values of a run, counted from 0, written as in TOML: runs that say the same are the same run of
@@ -54,6 +87,10 @@ struct Found<'a> {
     /// That of the scenario.
     folder: &'a Path,
     files: BTreeMap<PathBuf, u64>,
+    /// Files with placeholders, which may name others with each combination.
+    open: BTreeMap<PathBuf, Node>,
+    /// What placeholders stand for now.
+    variables: Variables,
 }
 
 impl Found<'_> {
@@ -82,16 +119,60 @@ impl Found<'_> {
         }
         // What cannot be read now is told by who reads it.
         let hash = File::open(&path).and_then(hash_of).unwrap_or(0);
-        let is_toml = path.extension().is_some_and(|ending| ending == "toml");
+        let is = |ending: &str| {
+            path.extension()
+                .is_some_and(|own| own.eq_ignore_ascii_case(ending))
+        };
         self.files.insert(path.clone(), hash);
-        if is_toml
+        if is("toml")
             && let Ok(text) = std::fs::read_to_string(&path)
             && let Ok(tree) = crate::toml::parse(&text, SourceId(0))
         {
-            let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-            self.named(&tree, &folder);
+            self.within(&path, tree.clone());
+            if text.contains("${") {
+                self.open.insert(path, tree);
+            }
+        } else if is("gltf") {
+            for uri in uris(&path) {
+                let file = folder_of(&path).join(uri);
+                if file.is_file() {
+                    self.file(file);
+                }
+            }
         }
     }
+
+    /// The files that another names, with what placeholders stand for now.
+    fn within(&mut self, path: &Path, mut tree: Node) {
+        self.variables.apply(&mut tree, &mut Vec::new());
+        self.named(&tree, &folder_of(path));
+    }
+
+    /// Looks again into the files with placeholders.
+    fn again(&mut self) {
+        let open: Vec<_> = (self.open.iter())
+            .map(|(path, tree)| (path.clone(), tree.clone()))
+            .collect();
+        for (path, tree) in open {
+            self.within(&path, tree);
+        }
+    }
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    path.parent().map(Path::to_path_buf).unwrap_or_default()
+}
+
+/// The files that the buffers and images of a glTF name.
+fn uris(path: &Path) -> Vec<String> {
+    let bytes = std::fs::read(path).unwrap_or_default();
+    let Ok(root) = serde_json::from_slice::<serde_json::Value>(&bytes) else {
+        return Vec::new();
+    };
+    let lists = ["buffers", "images"].map(|list| root.get(list).and_then(|list| list.as_array()));
+    let all = lists.into_iter().flatten().flatten();
+    let uris = all.filter_map(|one| one.get("uri")?.as_str().map(str::to_owned));
+    uris.filter_map(|uri| percent_decoded(&uri).ok()).collect()
 }
 
 /// A hash of all bytes: equal bytes, equal hash. It tells changes, not forgeries.
@@ -168,6 +249,8 @@ mod tests {
         let mut found = Found {
             folder: folder.path(),
             files: BTreeMap::new(),
+            open: BTreeMap::new(),
+            variables: Variables::default(),
         };
         found.named(&tree, folder.path());
         let files: Vec<PathBuf> = found.files.into_keys().collect();
@@ -199,5 +282,67 @@ mod tests {
         let after = made_of(&[]);
         assert_eq!(before[0], after[0]);
         assert_ne!(before[1], after[1]);
+    }
+
+    #[test]
+    fn files_that_placeholders_name_count_for_each_combination() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        let write = |name: &str, text: &str| std::fs::write(path(name), text).expect("written");
+        let scenario = SCENARIO_FILE.replace("w.toml", "w-${kind}-${size}.toml");
+        write(
+            "x.toml",
+            &format!("{scenario}[variables]\nkind = \"a\"\nsize = 1\n"),
+        );
+        let files = ["w-a-1.toml", "w-a-2.toml", "w-b-1.toml", "w-b-2.toml"];
+        files.map(|file| write(file, "[ground]\nfriction = 0.6\n"));
+        let made_of = || {
+            let sets = ["--vary variables.kind=a,b", "--vary variables.size=1,2"];
+            let request = Request {
+                sets: sets.map(str::to_owned).to_vec(),
+                ..Request::default()
+            };
+            let loaded = load_file(&path("x.toml"), &request);
+            let loaded = loaded.unwrap_or_else(|rejected| panic!("{:?}", rejected.faults));
+            loaded.sweep().expect("it varies").made_of()
+        };
+        let names = |all: Vec<(String, u64)>| -> Vec<String> {
+            all.into_iter().skip(1).map(|(name, _)| name).collect()
+        };
+        let all = files.map(|file| path(file).display().to_string());
+        assert_eq!(names(made_of()), all);
+        let before = made_of();
+        write("w-b-2.toml", "[ground]\nfriction = 0.7\n");
+        assert_ne!(before[4], made_of()[4]);
+        assert_eq!(before[..4], made_of()[..4]);
+    }
+
+    #[test]
+    fn files_that_a_gltf_or_a_placeholder_in_a_world_names_count() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        let write = |name: &str, text: &str| std::fs::write(path(name), text).expect("written");
+        let tree = |text: &str| crate::toml::parse(text, SourceId(0)).expect("valid");
+        write("w.toml", "mesh = \"${kind}.gltf\"\n");
+        let gltf =
+            "{\"buffers\": [{\"uri\": \"c%20d.bin\"}, {\"uri\": \"no.bin\"}, {}], \"images\": 3}";
+        write("a.gltf", gltf);
+        write("b.gltf", "{");
+        write("c d.bin", "points");
+        let mut found = Found {
+            folder: folder.path(),
+            files: BTreeMap::new(),
+            open: BTreeMap::new(),
+            variables: Variables::default(),
+        };
+        for kind in ["a", "b"] {
+            let all = tree(&format!("[variables]\nkind = \"{kind}\"\n"));
+            found.variables = Variables::of(&all, &mut Vec::new());
+            found.named(&tree("world = \"w.toml\"\n"), folder.path());
+            found.again();
+        }
+        let files: Vec<PathBuf> = found.files.into_keys().collect();
+        let all = ["a.gltf", "b.gltf", "c d.bin", "w.toml"];
+        assert_eq!(files, all.map(path));
     }
 }

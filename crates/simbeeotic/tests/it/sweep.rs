@@ -153,6 +153,57 @@ fn a_run_that_fails_has_a_row_and_the_others_go_on() {
     }
 }
 
+/// Runs of five bees fail, as they have too many events; those of two do not.
+const SOME_FAIL: [&str; 6] = [
+    "sweep",
+    "bees.toml",
+    "--set",
+    "run.pending_events=4",
+    "--vary",
+    "model.bee.count=5,2",
+];
+
+#[test]
+fn after_runs_that_failed_only_they_are_flown_again() {
+    let program = program();
+    let call = program.call(&SOME_FAIL);
+    assert_eq!(call.code, Some(1), "{}", call.err);
+    let said =
+        "4 of 8 runs failed; their rows say why; the same command with --resume flies them again";
+    assert!(call.err.contains(said), "{}", call.err);
+    let before = std::fs::read(program.path("bees-runs.csv")).expect("a table");
+    let call = program.call(&[&SOME_FAIL[..], &["--resume"]].concat());
+    assert_eq!(call.code, Some(1), "{}", call.err);
+    assert!(call.err.contains("4 of 8 runs are done"), "{}", call.err);
+    let after = std::fs::read(program.path("bees-runs.csv")).expect("a table");
+    assert!(before == after, "the same table");
+}
+
+#[test]
+fn a_recording_of_another_run_under_the_same_number_is_not_taken_for_it() {
+    let program = program();
+    let sweep = |seeds, more: &[&str]| {
+        let record = ["--record", "runs", "--seeds", seeds];
+        let call = program.call(&[&SOME_FAIL[..], &record, more].concat());
+        assert_eq!(call.code, Some(1), "{}", call.err);
+        call
+    };
+    let flown = |run: usize| {
+        let file = format!("runs/run-000{run}.mcap");
+        good(program.call(&["export", &file, "--csv"])).out
+    };
+    sweep("4,5", &[]);
+    let (first, second) = (flown(3), flown(7));
+    assert_ne!(first, second, "two seeds");
+    let call = sweep("4,5", &["--resume"]);
+    assert!(call.err.contains("4 of 8 runs are done"), "{}", call.err);
+    // The runs that were the third and fourth are the seventh and eighth now.
+    let call = sweep("5,4", &["--resume"]);
+    assert!(!call.err.contains("runs are done"), "{}", call.err);
+    assert!(call.err.contains("4 runs in"), "{}", call.err);
+    assert!(flown(3) == second && flown(7) == first);
+}
+
 #[test]
 fn recordings_are_made_for_each_run_and_change_nothing() {
     let program = program();
@@ -360,7 +411,7 @@ fn an_interrupt_keeps_what_is_done() {
     assert_eq!(call.code, Some(2), "{}", call.err);
     assert!(
         call.err
-            .contains("bees-runs.csv.unfinished has 2 runs of a sweep that was broken off"),
+            .contains("bees-runs.csv.unfinished has 2 runs of a sweep that is not whole"),
         "{}",
         call.err
     );

@@ -159,7 +159,8 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
         }
     };
     file.write_or_keep(&rows.columns())?;
-    let go_on = match done.interrupted && unfinished.is_kept() {
+    let kept = unfinished.is_kept() && (done.interrupted || rows.failed() > 0);
+    let go_on = match kept {
         true => "; the same command with --resume goes on",
         false => "",
     };
@@ -170,7 +171,7 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
                 let _ = std::fs::remove_file(recording(folder, run));
             }
         }
-    } else {
+    } else if !kept {
         unfinished.finish();
     }
     printed?;
@@ -188,8 +189,12 @@ pub(super) fn sweep(options: &SweepOptions) -> Result<(), Failure> {
         }
         (false, 0) => Ok(()),
         (false, failed) => Err(Failure::run(format!(
-            "{failed} of {} runs failed; their rows say why",
-            sweep.len()
+            "{failed} of {} runs failed; their rows say why{}",
+            sweep.len(),
+            match kept {
+                true => "; the same command with --resume flies them again, and only them",
+                false => "",
+            }
         ))),
     }
 }

@@ -3,8 +3,9 @@
 //!
 //! `TABLE.unfinished` has lines of JSON: first what the rows hang on (the program, the scenario, the files that it
 //! names), then a row for each run that came to its end, in the order in which they did. Numbers are text, as in
-//! the table, so that they come back to the last bit. A line that a crash cut off is no row. The file goes
-//! when the table is whole.
+//! the table, so that they come back to the last bit. With `--record` a row says which file holds its run: what
+//! is called so may be of another run, if there are more seeds or values now. A line that a crash cut off is no
+//! row. The file goes when the table is whole, and stays while runs of it have failed.
 
 use super::rows::Row;
 use super::{SweepOptions, recording};
@@ -98,6 +99,28 @@ struct Line {
     trace_hash: String,
     ended: String,
     numbers: Vec<(String, String)>,
+    recorded: Option<Recorded>,
+}
+
+/// The file that a run was recorded to, as it was when the run was done.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Recorded {
+    /// From the root of the file system on.
+    path: PathBuf,
+    /// Its length.
+    bytes: u64,
+}
+
+impl Recorded {
+    /// The recording of a run in a folder, if it is there.
+    fn of(folder: &Path, run: usize) -> Option<Self> {
+        let path = recording(folder, run).canonicalize().ok()?;
+        let there = fs::metadata(&path).ok().filter(fs::Metadata::is_file)?;
+        let bytes = there.len();
+        // A path that is no text cannot stand in JSON.
+        path.to_str()?;
+        Some(Self { path, bytes })
+    }
 }
 
 /// The file, and what is in it.
@@ -105,6 +128,8 @@ pub(super) struct Unfinished {
     /// `None` if the table is no file, and so nothing stays of it.
     path: Option<PathBuf>,
     head: Head,
+    /// Where runs are recorded, if they are.
+    record: Option<PathBuf>,
     /// Open once there is a row in it.
     file: Option<File>,
     synced: Instant,
@@ -130,6 +155,7 @@ impl Unfinished {
         let mut this = Self {
             path: (!no_file).then(|| beside(table)),
             head: Head::of(sweep),
+            record: options.record.clone(),
             file: None,
             synced: Instant::now(),
             writes: true,
@@ -152,7 +178,7 @@ impl Unfinished {
         }
         if !options.resume {
             return Err(Failure::input(format!(
-                "{} has {} of a sweep that was broken off: --resume goes on with it, --restart begins again",
+                "{} has {} of a sweep that is not whole: --resume goes on with it, --restart begins again",
                 path.display(),
                 super::runs_said(lines.len()),
             )));
@@ -164,11 +190,13 @@ impl Unfinished {
                 path.display(),
             )));
         }
-        let rows = this.rows(sweep, &lines, options.record.as_deref());
+        let rows = this.rows(sweep, &lines);
         if rows.len() < lines.len() && !options.quiet {
             let rest = super::runs_said(lines.len() - rows.len());
             let why = match &options.record {
-                Some(_) => "of no run of this sweep, or without a recording",
+                Some(_) => {
+                    "of no run of this sweep, or its recording is not there under its number"
+                }
                 None => "of no run of this sweep",
             };
             remark(format!("{rest} in {} left out: {why}", path.display()));
@@ -179,7 +207,7 @@ impl Unfinished {
     }
 
     /// The rows that are of runs of this sweep, in their order.
-    fn rows(&self, sweep: &Sweep, lines: &[Line], record: Option<&Path>) -> Vec<Row> {
+    fn rows(&self, sweep: &Sweep, lines: &[Line]) -> Vec<Row> {
         let runs: BTreeMap<String, usize> =
             (0..sweep.len()).map(|run| (sweep.told(run), run)).collect();
         let mut rows = BTreeMap::new();
@@ -187,8 +215,11 @@ impl Unfinished {
             let Some(run) = runs.get(&line.run) else {
                 continue;
             };
-            if record.is_some_and(|folder| !recording(folder, *run).is_file()) {
-                continue;
+            if let Some(folder) = &self.record {
+                let there = Recorded::of(folder, *run);
+                if there.is_none() || there != line.recorded {
+                    continue;
+                }
             }
             let numbers = line.numbers.iter();
             let numbers = numbers.map(|(name, text)| Some((name.clone(), text.parse().ok()?)));
@@ -208,11 +239,26 @@ impl Unfinished {
         };
         let mut text = line_of(&self.head)?;
         for row in rows {
-            text.push_str(&line_of(&kept(sweep, row))?);
+            text.push_str(&line_of(&self.kept(sweep, row))?);
         }
         simbeeotic_record::publish(path, |mut file| file.write_all(text.as_bytes()))?;
         self.file = Some(File::options().append(true).open(path)?);
         Ok(())
+    }
+
+    fn kept(&self, sweep: &Sweep, row: &Row) -> Line {
+        let numbers = row.numbers();
+        let folder = self.record.as_deref();
+        Line {
+            run: sweep.told(row.run),
+            seed: row.seed,
+            trace_hash: row.trace_hash.clone(),
+            ended: row.ended.clone(),
+            numbers: numbers
+                .map(|(name, value)| (name.to_owned(), value.to_string()))
+                .collect(),
+            recorded: folder.and_then(|folder| Recorded::of(folder, row.run)),
+        }
     }
 
     /// Adds a run that came to its end.
@@ -237,11 +283,12 @@ impl Unfinished {
         if self.file.is_none() {
             return self.rewrite(sweep, std::slice::from_ref(row));
         }
+        let line = line_of(&self.kept(sweep, row))?;
         let Some(file) = &mut self.file else {
             return Ok(());
         };
         // In one piece: what is cut off is a line that is none.
-        file.write_all(line_of(&kept(sweep, row))?.as_bytes())?;
+        file.write_all(line.as_bytes())?;
         let now = Instant::now();
         if now.saturating_duration_since(self.synced) > SYNCED {
             file.sync_data()?;
@@ -273,19 +320,6 @@ fn line_of(value: &impl Serialize) -> io::Result<String> {
     let mut text = serde_json::to_string(value)?;
     text.push('\n');
     Ok(text)
-}
-
-fn kept(sweep: &Sweep, row: &Row) -> Line {
-    let numbers = row.numbers();
-    Line {
-        run: sweep.told(row.run),
-        seed: row.seed,
-        trace_hash: row.trace_hash.clone(),
-        ended: row.ended.clone(),
-        numbers: numbers
-            .map(|(name, value)| (name.to_owned(), value.to_string()))
-            .collect(),
-    }
 }
 
 /// Head and rows of a file; a line that is no row is none, as a crash leaves it.
@@ -359,6 +393,7 @@ mod tests {
             trace_hash: "0f".to_owned(),
             ended: "end time".to_owned(),
             numbers: vec![("spread [m]".to_owned(), "0.1".to_owned())],
+            recorded: None,
         };
         let mut text = line_of(&head()).expect("JSON");
         text.push_str(&line_of(&row).expect("JSON"));
