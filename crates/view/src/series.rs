@@ -1,13 +1,19 @@
 //! Numbers over time: statistics of the run, and what vehicles publish.
 
 use crate::wire::SeriesInfo;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 /// Points that a history has at most.
 const POINTS_MAX: usize = 2000;
 
 /// Histories of single vehicles' numbers at most.
 const VEHICLES_MAX: usize = 1024;
+
+/// The newest samples of the run's statistics, for pages that were slow.
+const SAMPLES_KEPT: usize = 512;
+
+/// One sample: its time, s, and values by the ids of their series.
+pub(crate) type Sample = (f64, Vec<(u32, f64)>);
 
 /// Ids of vehicles' series are their number beyond so many for each column.
 const COLUMN: u32 = 1 << 20;
@@ -90,6 +96,8 @@ pub(crate) struct Series {
     time_s: f64,
     /// Counts samples.
     number: u64,
+    /// The newest of them.
+    past: VecDeque<Sample>,
 }
 
 impl Series {
@@ -187,6 +195,10 @@ impl Series {
         }
         self.time_s = time_s;
         self.number += 1;
+        if self.past.len() >= SAMPLES_KEPT {
+            self.past.pop_front();
+        }
+        self.past.push_back(self.values(None));
     }
 
     fn value_of(&self, id: u32) -> f64 {
@@ -261,6 +273,18 @@ impl Series {
         (self.time_s, list)
     }
 
+    /// The samples after the first `seen`, the oldest first; the newest has the values of one vehicle, too. `None`: some
+    /// of them are not kept.
+    pub(crate) fn since(&self, seen: u64, vehicle: Option<u32>) -> Option<Vec<Sample>> {
+        let new = usize::try_from(self.number.saturating_sub(seen)).ok()?;
+        let first = self.past.len().checked_sub(new)?;
+        let mut list: Vec<Sample> = self.past.range(first..).cloned().collect();
+        if let Some(newest) = list.last_mut() {
+            *newest = self.values(vehicle);
+        }
+        Some(list)
+    }
+
     /// The numbers of all vehicles.
     pub(crate) fn column(&self, name: &str) -> Option<&[f32]> {
         let column = self.columns.iter().find(|column| column.name == name)?;
@@ -331,6 +355,21 @@ mod tests {
             series.history(COLUMN + 1).is_none(),
             "it has published nothing"
         );
+    }
+
+    #[test]
+    fn a_slow_reader_gets_every_sample_that_is_kept() {
+        let mut series = Series::new(1);
+        let contacts = series.statistic("contacts", "1/s");
+        for second in 1..=600 {
+            series.set(contacts, f64::from(second % 2));
+            series.sampled(f64::from(second));
+        }
+        let list = series.since(597, None).expect("they are kept");
+        let told = [(598.0, 0.0), (599.0, 1.0), (600.0, 0.0)];
+        assert_eq!(list, told.map(|(t, value)| (t, vec![(0, value)])));
+        assert_eq!(series.since(600, None), Some(Vec::new()));
+        assert_eq!(series.since(3, None), None, "the history has them");
     }
 
     #[test]

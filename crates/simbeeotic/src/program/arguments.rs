@@ -197,7 +197,7 @@ pub(super) struct RunOptions {
     #[arg(long)]
     pub(super) view: bool,
     /// Do not start before the page says so
-    #[arg(long, requires = "view")]
+    #[arg(long)]
     pub(super) paused: bool,
     #[command(flatten)]
     pub(super) page: PageOptions,

@@ -25,7 +25,8 @@ pub(super) fn choose_viewer(
     let mut choices = loaded.plan().components.iter();
     let choice = choices.find(|choice| choice.part.label.name == VIEWER);
     if choice.is_none() && !options.view {
-        if let Some(option) = first_said(&options.page) {
+        let paused = options.paused.then_some("--paused");
+        if let Some(option) = first_said(&options.page).or(paused) {
             return Err(Failure::input(format!(
                 "{option} is about the page, and there is none: add --view"
             )));

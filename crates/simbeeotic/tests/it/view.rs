@@ -25,6 +25,11 @@ start = { ball = "2 m", center = ["0 m", "0 m", "4 m"] }
 use = "simple-bee"
 bee_collisions = true
 
+[model.battery]
+preset = "1s-250mah"
+capacity = "22 mAh"
+avionics = "20 mA"
+
 [model.sensor.compass]
 use = "compass"
 
@@ -54,6 +59,11 @@ fn connect(place: &str) -> WebSocket<TcpStream> {
 
 /// Runs the scenario with a viewer and these pages; the trace hash, and what the pages say.
 fn watched(pages: &[PageOf], paused: bool) -> (String, Vec<usize>) {
+    looked_at(pages, paused, false)
+}
+
+/// The same; `stay`: the viewer is there until the pages have seen enough.
+fn looked_at(pages: &[PageOf], paused: bool, stay: bool) -> (String, Vec<usize>) {
     let loaded = load_text("view", SCENARIO, &Request::default()).expect("it is right");
     let mut setup = loaded.setup().expect("it is right");
     // Slow enough to be seen, and fast enough for a test.
@@ -81,11 +91,17 @@ fn watched(pages: &[PageOf], paused: bool) -> (String, Vec<usize>) {
     let mut simulation = Simulation::new(setup).expect("it can be built");
     let outcome = simulation.run();
     assert!(outcome.error.is_none(), "{:?}", outcome.error);
+    let seen = |pages: Vec<JoinHandle<usize>>| {
+        let pages = pages.into_iter();
+        let seen = pages.map(|page| page.join().expect("the page did well"));
+        seen.collect()
+    };
+    let hash = outcome.summary.trace_hash;
+    if stay {
+        return (hash, seen(pages));
+    }
     drop(simulation);
-    let seen = pages
-        .into_iter()
-        .map(|page| page.join().expect("the page did well"));
-    (outcome.summary.trace_hash, seen.collect())
+    (hash, seen(pages))
 }
 
 fn say(page: &mut WebSocket<TcpStream>, text: impl Into<String>) {
@@ -181,6 +197,66 @@ fn steering(mut page: WebSocket<TcpStream>) -> usize {
     })
 }
 
+/// Looks on to the end, and only then chooses a colour and a vehicle; how many vehicles have a value of the last instant.
+fn asking_afterwards(mut page: WebSocket<TcpStream>) -> usize {
+    let mut asked = false;
+    let (mut told, mut coloured) = (None, None);
+    while told.is_none() || coloured.is_none() {
+        match page.read().expect("an answer after the end") {
+            Message::Binary(bytes) if bytes.first() == Some(&1) => {
+                say(&mut page, r#"{"type":"got","time_s":1e9}"#);
+                if asked && bytes[1] & 2 != 0 {
+                    let count = u32::from_le_bytes(bytes[4..8].try_into().expect("four")) as usize;
+                    let from = 16 + 24 * count;
+                    let values = bytes[from..from + 4 * count].chunks_exact(4);
+                    let values = values.map(|x| f32::from_le_bytes(x.try_into().expect("four")));
+                    coloured = Some(values.filter(|x| *x > 0.0 && *x < 1.0).count());
+                }
+            }
+            Message::Text(text) => {
+                let said: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+                assert_ne!(said["type"], "error", "{said}");
+                if said["type"] == "state" && !said["ended"].is_null() && !asked {
+                    asked = true;
+                    say(&mut page, r#"{"type":"select","vehicle":3}"#);
+                    say(&mut page, r#"{"type":"colour","by":"battery/soc"}"#);
+                }
+                if said["type"] == "details" {
+                    told = Some(said);
+                }
+            }
+            _ => {}
+        }
+    }
+    let told = told.expect("it was told");
+    assert_eq!((&told["vehicle"], &told["t"]), (&3.into(), &3.0.into()));
+    assert!(!told["parts"].as_array().expect("a list").is_empty());
+    assert!(told["battery"]["soc"].as_f64().expect("a number") < 1.0);
+    coloured.expect("a frame came")
+}
+
+/// Selects at once, and says whether the last details are those of the end.
+fn selecting_before(mut page: WebSocket<TcpStream>) -> usize {
+    say(&mut page, r#"{"type":"select","vehicle":3}"#);
+    let (mut ended, mut t) = (false, 0.0);
+    while !(ended && t == 3.0) {
+        match page.read().expect("details of the end") {
+            Message::Binary(bytes) if bytes.first() == Some(&1) => {
+                say(&mut page, r#"{"type":"got","time_s":1e9}"#);
+            }
+            Message::Text(text) => {
+                let said: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+                ended |= said["type"] == "state" && !said["ended"].is_null();
+                if said["type"] == "details" {
+                    t = said["t"].as_f64().expect("a time");
+                }
+            }
+            _ => {}
+        }
+    }
+    1
+}
+
 /// Lets a run go that waits for it.
 fn starting(mut page: WebSocket<TcpStream>) -> usize {
     say(&mut page, r#"{"type":"resume"}"#);
@@ -248,4 +324,11 @@ fn pauses_steps_and_paces_do_not_show_in_the_trace() {
     let (hash, frames) = watched(&[starting], true);
     assert_eq!(hash, plain, "one starts it");
     assert!(frames[0] > 5, "{frames:?}");
+}
+
+#[test]
+fn after_the_end_colours_and_details_are_those_of_the_end() {
+    let (hash, seen) = looked_at(&[asking_afterwards, selecting_before], false, true);
+    assert_eq!(hash, unwatched(SCENARIO));
+    assert_eq!(seen, [60, 1], "every bee has a charge");
 }

@@ -32,6 +32,8 @@ pub(super) struct LivePage {
     on_the_way: VecDeque<f64>,
     vehicle: Option<u32>,
     colour: Option<String>,
+    /// It has asked for another colour since its last frame.
+    recolour: bool,
     /// What it has seen.
     look: u64,
     marks: u64,
@@ -100,6 +102,7 @@ impl LivePage {
             on_the_way: VecDeque::new(),
             vehicle: None,
             colour: None,
+            recolour: false,
             look: 0,
             marks: 0,
             packets: 0,
@@ -169,6 +172,27 @@ impl LivePage {
             }
             .message()
         }));
+    }
+
+    /// All samples since its last; if there are more than are kept, the histories once more.
+    fn samples(&mut self, number: u64, out: &mut Vec<Message>) {
+        let seen = match self.sample {
+            0 => number.saturating_sub(1),
+            seen => seen,
+        };
+        let (number, list) = {
+            let series = self.shared.series();
+            let list = series.since(seen, self.vehicle);
+            (series.number(), list)
+        };
+        self.sample = number;
+        let list = list.unwrap_or_else(|| {
+            self.known = (0, 0);
+            self.series(out);
+            vec![self.shared.series().values(self.vehicle)]
+        });
+        let said = list.into_iter().map(|(time_s, list)| values(time_s, &list));
+        out.extend(said.map(Message::Binary));
     }
 
     fn state(&mut self, wall: Duration, now_s: f64, ended: Option<String>) -> State {
@@ -254,6 +278,8 @@ impl LivePage {
         self.vehicle = vehicle;
         self.details = 0;
         self.known.1 = 0;
+        // The newest values come once more, with those of this vehicle.
+        self.sample = self.sample.saturating_sub(1);
         if let Some(vehicle) = vehicle {
             self.shared.series().follow(vehicle);
         }
@@ -288,6 +314,7 @@ impl Page for LivePage {
                     ),
                     None => {
                         self.colour.clone_from(&by);
+                        self.recolour = true;
                         self.shared.want(self.number, |want| want.colour = by);
                     }
                 }
@@ -332,25 +359,44 @@ impl Page for LivePage {
         }
         let free = self.on_the_way.len() < ON_THE_WAY;
         let mut beside = Beside::default();
+        let mut untold = None;
         let (look, time_s, ended): (Option<Arc<Look>>, f64, Option<String>) = {
             let shared = Arc::clone(&self.shared);
             let now = shared.now();
-            let new = now.number > self.look;
             let (time_s, ended) = (now.look.columns.time_s, now.ended.clone());
+            // Nobody takes another look after the end: the last one is shown in other colours.
+            let again = self.recolour && ended.is_some();
+            let new = now.number > self.look || again;
             let look = (new && free).then(|| Arc::clone(&now.look));
             if look.is_some() {
-                self.skipped += (now.number - self.look - 1) * u64::from(self.look > 0);
+                let missed = now.number.saturating_sub(self.look + 1);
+                self.skipped += missed * u64::from(self.look > 0);
                 self.look = now.number;
+                self.recolour = false;
                 beside = self.beside(&now);
             }
             if let Some(vehicle) = self.vehicle {
                 let details = now.details.get(&vehicle);
+                if details.is_none() && ended.is_some() && self.details == 0 {
+                    self.details = u64::MAX;
+                    untold = Some(vehicle);
+                }
                 let details = details.and_then(|details| details.since(&mut self.details));
                 beside.whole.extend(details);
             }
             (look, time_s, ended)
         };
         beside.say(out);
+        if let Some(vehicle) = untold {
+            Self::error(
+                out,
+                format!(
+                    "the run has ended, and in a swarm of this size the details of vehicle {vehicle} were not kept: \
+                     a recording of the run has them"
+                ),
+            );
+        }
+        let over = ended.is_some();
         self.say_state(time_s, ended, out);
         let (number, counts) = {
             let series = self.shared.series();
@@ -360,17 +406,18 @@ impl Page for LivePage {
             self.series(out);
         }
         if number > self.sample && (look.is_some() || out.len() <= 1) {
-            self.sample = number;
-            let (time_s, list) = self.shared.series().values(self.vehicle);
-            out.push(Message::Binary(values(time_s, &list)));
+            self.samples(number, out);
         }
         if let Some(look) = look {
-            let colour = self.colour.as_ref().and_then(|by| {
-                let mut colours = look.colours.iter();
-                colours.find(|(name, _)| name == by)
+            let colour: Option<Arc<[f32]>> = self.colour.as_ref().and_then(|by| match over {
+                true => self.shared.series().column(by).map(Arc::from),
+                false => {
+                    let mut colours = look.colours.iter();
+                    let colour = colours.find(|(name, _)| name == by);
+                    colour.map(|(_, values)| Arc::clone(values))
+                }
             });
-            let colour = colour.map(|(_, values)| &**values);
-            out.push(Message::Binary(frame(&look.columns, colour)));
+            out.push(Message::Binary(frame(&look.columns, colour.as_deref())));
             self.on_the_way.push_back(look.columns.time_s);
         }
         if self.on_the_way.len() < ON_THE_WAY {

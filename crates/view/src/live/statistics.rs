@@ -4,6 +4,7 @@ use super::viewer::Cast;
 use crate::series::Series;
 use simbeeotic_model::View;
 use simbeeotic_model::radio::{Counters, Loss};
+use std::collections::VecDeque;
 use std::time::Duration;
 
 /// Virtual time between two samples, while the run is slow enough.
@@ -12,6 +13,9 @@ const SAMPLE_S: f64 = 0.1;
 /// The least and the greatest wall time between two of them.
 const SAMPLE_LEAST: Duration = Duration::from_millis(20);
 const SAMPLE_MOST: Duration = Duration::from_millis(250);
+
+/// Wall time over which the speed is a mean.
+const SPEED: Duration = Duration::from_secs(1);
 
 /// Batteries that are looked at in a second of wall time, while a page is there and while none is: those of a
 /// larger swarm take turns. A look at one takes half a microsecond.
@@ -28,7 +32,36 @@ pub(super) struct Statistics {
     energy: usize,
     last: Option<(u64, Duration)>,
     last_touches: u64,
+    pace: Passed,
     batteries: Batteries,
+}
+
+/// Virtual time, ns, and wall time at the samples of the last second.
+#[derive(Default)]
+struct Passed(VecDeque<(u64, Duration)>);
+
+impl Passed {
+    /// The run stands: what was before is of no matter to the speed once it goes on.
+    fn stood(&mut self, now_ns: u64, wall: Duration) {
+        self.0.clear();
+        self.0.push_back((now_ns, wall));
+    }
+
+    /// The mean speed of the last second of wall time, or since the run last stood.
+    fn speed(&mut self, now_ns: u64, wall: Duration) -> f64 {
+        self.0.push_back((now_ns, wall));
+        while self.0.len() > 2 && wall.saturating_sub(self.0[1].1) >= SPEED {
+            self.0.pop_front();
+        }
+        let (from_ns, from) = self.0[0];
+        let passed_s = now_ns.saturating_sub(from_ns) as f64 * 1e-9;
+        let waited_s = wall.saturating_sub(from).as_secs_f64();
+        if waited_s > 0.0 {
+            passed_s / waited_s
+        } else {
+            0.0
+        }
+    }
 }
 
 #[derive(Default)]
@@ -75,8 +108,23 @@ impl Statistics {
         statistics
     }
 
+    /// The run stands at this instant.
+    pub(super) fn stood(&mut self, now_ns: u64, wall: Duration) {
+        self.pace.stood(now_ns, wall);
+    }
+
+    /// Looks at every battery: there is no other sample to come.
+    pub(super) fn look_at_all(&mut self, view: &View<'_>, cast: &Cast, series: &mut Series) {
+        if !self.batteries.vehicles.is_empty() {
+            self.batteries.look(view, cast, f64::INFINITY, series);
+        }
+    }
+
     /// Whether it is time for a sample; `last`: there is no other to come.
     pub(super) fn due(&mut self, now_ns: u64, wall: Duration, last: bool) -> bool {
+        if self.last.is_none() {
+            self.pace.stood(now_ns, wall);
+        }
         let (from_ns, from) = *self.last.get_or_insert((now_ns, wall));
         let passed_s = now_ns.saturating_sub(from_ns) as f64 * 1e-9;
         let waited = wall.saturating_sub(from);
@@ -89,7 +137,7 @@ impl Statistics {
         &mut self,
         view: &View<'_>,
         cast: &Cast,
-        (wall, watched): (Duration, bool),
+        (wall, watched, held): (Duration, bool, bool),
         touches: u64,
         series: &mut Series,
     ) {
@@ -97,7 +145,11 @@ impl Statistics {
         let (from_ns, from) = self.last.replace((now_ns, wall)).unwrap_or((now_ns, wall));
         let passed_s = now_ns.saturating_sub(from_ns) as f64 * 1e-9;
         let waited_s = wall.saturating_sub(from).as_secs_f64();
-        series.set(self.speed, passed_s / waited_s.max(1e-9));
+        let speed = match held {
+            true => 0.0,
+            false => self.pace.speed(now_ns, wall),
+        };
+        series.set(self.speed, speed);
         let new = touches - std::mem::replace(&mut self.last_touches, touches);
         series.set(self.contacts, new as f64 / passed_s);
         if let Some(air) = &mut self.air {
@@ -138,5 +190,26 @@ impl Batteries {
                 self.spent_j[self.next] = spent.get();
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_is_a_mean_over_a_second_and_a_pause_is_no_part_of_it() {
+        let mut passed = Passed::default();
+        let at = Duration::from_millis;
+        passed.stood(0, at(0));
+        for tenth in 1..=30 {
+            passed.speed(tenth * 100_000_000, at(tenth * 100));
+        }
+        // It catches up: a tenth of a second within ten milliseconds.
+        let speed = passed.speed(3_100_000_000, at(3010));
+        assert!((1.0..1.2).contains(&speed), "{speed}");
+        passed.stood(3_100_000_000, at(60_000));
+        let speed = passed.speed(3_300_000_000, at(60_100));
+        assert!((speed - 2.0).abs() < 1e-9, "{speed}");
     }
 }

@@ -11,7 +11,7 @@ use super::statistics::Statistics;
 use super::traffic::Traffic;
 use crate::series::Series;
 use crate::server::{Options, Server, ServerError, Visitors, address_of};
-use crate::wire::Said;
+use crate::wire::{Packet, Said};
 use simbeeotic_model::kernel::pace::Control;
 use simbeeotic_model::kernel::{ModelId, Progress, SimTime};
 use simbeeotic_model::units::Time;
@@ -28,6 +28,9 @@ use std::time::Duration;
 /// Wall time between two tellings of details, and of the wind.
 const DETAILS: Duration = Duration::from_millis(250);
 const WIND: Duration = Duration::from_secs(1);
+
+/// Swarms up to this size have the details of all told at the end.
+const DETAILS_KEPT: usize = 2000;
 
 /// How long the last frame is tried for while pages are at the locks.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -216,7 +219,10 @@ impl Viewer {
         self.heed_wishes(view, version, watched);
         self.take_marks(view);
         self.happened.hand_over(view, &self.cast, &self.shared);
-        self.take_sample(view, wall, false);
+        self.take_sample(view, wall, held, false);
+        if held {
+            self.statistics.stood(view.now().nanos(), wall);
+        }
         if watched {
             self.take_frame(view, wall, held);
         }
@@ -306,7 +312,7 @@ impl Viewer {
     }
 
     /// Samples the statistics, if it is time and nobody else is at them.
-    fn take_sample(&mut self, view: &View<'_>, wall: Duration, last: bool) {
+    fn take_sample(&mut self, view: &View<'_>, wall: Duration, held: bool, last: bool) {
         if !self.statistics.due(view.now().nanos(), wall, last) {
             return;
         }
@@ -317,7 +323,7 @@ impl Viewer {
         };
         if let Some(mut series) = series {
             let touches = self.happened.touches;
-            let at = (wall, self.watched);
+            let at = (wall, self.watched, held);
             self.statistics
                 .sample(view, &self.cast, at, touches, &mut series);
         }
@@ -388,6 +394,21 @@ impl Viewer {
         selected
             .map(|(at, selected)| (*at, Said::Details(selected.tell(view, *at, packets(at)))))
             .collect()
+    }
+
+    /// What is told of vehicles from the end on: of all, or in a large swarm of those that are selected now.
+    fn last_details(&mut self, view: &View<'_>, packets: &[Arc<Packet>]) -> Vec<(u32, Said)> {
+        if self.cast.bodies.len() <= DETAILS_KEPT {
+            for (vehicle, id) in (0..).zip(&self.cast.bodies) {
+                let selected = self.selected.entry(vehicle);
+                selected.or_insert_with(|| Selected::new(view, *id));
+            }
+            if let Some(traffic) = &mut self.traffic {
+                let known = packets.iter().rev().map(|packet| &**packet);
+                traffic.select(self.selected.keys().copied(), known);
+            }
+        }
+        self.details(view, self.pace.wall())
     }
 
     /// The numbers that pages want vehicles coloured by; `None`: somebody else is at them.
@@ -468,9 +489,14 @@ impl Component for Viewer {
         let shared = Arc::clone(&self.shared);
         self.happened
             .publish(view, &self.cast, &mut shared.series());
-        self.take_sample(view, wall, true);
+        self.statistics
+            .look_at_all(view, &self.cast, &mut shared.series());
+        self.take_sample(view, wall, false, true);
         let deadline = wall + PATIENCE;
         loop {
+            let version = shared.version.load(Ordering::Acquire);
+            let watched = shared.pages.load(Ordering::Acquire) > 0;
+            self.heed_wishes(view, version, watched);
             self.happened.hand_over(view, &self.cast, &shared);
             shared.hungry.store(true, Ordering::Release);
             self.framed = None;
@@ -481,7 +507,14 @@ impl Component for Viewer {
             }
             std::thread::sleep(Duration::from_millis(1));
         }
-        shared.now().ended = Some(summary.ended.clone());
+        let packets = shared.now().packets.iter().cloned().collect::<Vec<_>>();
+        let details = self.last_details(view, &packets);
+        let mut now = shared.now();
+        for (vehicle, said) in details {
+            now.details.entry(vehicle).or_default().set(said);
+        }
+        now.ended = Some(summary.ended.clone());
+        drop(now);
         shared.ring();
         Ok(Vec::new())
     }
