@@ -295,7 +295,9 @@ mod tests {
             &format!("{scenario}[variables]\nkind = \"a\"\nsize = 1\n"),
         );
         let files = ["w-a-1.toml", "w-a-2.toml", "w-b-1.toml", "w-b-2.toml"];
-        files.map(|file| write(file, "[ground]\nfriction = 0.6\n"));
+        for file in files {
+            write(file, "[ground]\nfriction = 0.6\n");
+        }
         let made_of = || {
             let sets = ["--vary variables.kind=a,b", "--vary variables.size=1,2"];
             let request = Request {

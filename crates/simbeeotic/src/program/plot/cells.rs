@@ -279,7 +279,7 @@ mod tests {
         let estimate = |runs| estimate(runs, 0, CoverageKind::Runs);
         assert_eq!(estimate(&often), estimate(&once));
         // Of one seed its runs are all there is.
-        let (share, half) = estimate(&vec![once[0]; 20]);
+        let (share, half) = estimate(&[once[0]; 20]);
         let [low, high] = super::super::stats::wilson(20, 20);
         assert_eq!((share, half), (100.0, 50.0 * (high - low)));
     }
