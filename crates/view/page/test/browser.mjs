@@ -2,7 +2,7 @@
 // the page comes from dist.
 import { chromium } from "playwright-core";
 import { spawn } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const root = fileURLToPath(new URL("../../../../", import.meta.url));
@@ -131,6 +131,15 @@ export const place = (page) => page.evaluate(() => window.simbeeotic.place());
 export async function until(page, holds, argument) {
   await page.waitForFunction(holds, argument, { timeout: PATIENCE_MS });
 }
+
+/** Has the page save its picture, which is as fine as can be however busy the machine is. */
+export async function save(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-picture")]);
+  return download;
+}
+
+/** That picture's PNG. */
+export const saved = async (page) => readFileSync(await (await save(page)).path());
 
 /** Waits until nothing is drawn any more, for twice a time: what stands costs nothing. */
 export async function rest(page, polling = 600) {

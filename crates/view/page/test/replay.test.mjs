@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { compare, difference, kept, verdict } from "./pictures.mjs";
-import { drawn, execute, launch, open, place, rest, scenario, serve, time, until, untilTime } from "./browser.mjs";
+import { drawn, execute, launch, open, place, rest, save, saved, scenario, serve, time, until, untilTime } from "./browser.mjs";
 
 let browser, folder, run, page;
 
@@ -212,17 +212,14 @@ test("layers are switched by boxes and keys", async () => {
 test("the wind of a recording is shown, and hidden", async () => {
   await page.locator("#layer-wind").waitFor();
   assert.equal((await place(page)).layers.wind, true);
-  const picture = async () => {
-    await rest(page);
-    return page.locator("#scene").screenshot({ animations: "disabled" });
-  };
-  const windy = await picture();
+  await rest(page);
+  const windy = await saved(page);
   await page.keyboard.press("6");
   assert.equal((await place(page)).layers.wind, false);
-  const { mean } = await difference(page, windy, await picture());
+  const { mean } = await difference(page, windy, await saved(page));
   assert.ok(mean > 0.05, `without arrows the picture is another: ${mean}`);
   await page.keyboard.press("6");
-  const again = await difference(page, windy, await picture());
+  const again = await difference(page, windy, await saved(page));
   assert.ok(again.mean < mean / 4, `with them it is as it was: ${again.mean}`);
 });
 
@@ -247,7 +244,7 @@ test("the help sheet shows the keys, and goes again", async () => {
 });
 
 test("a picture is saved as PNG", async () => {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-picture")]);
+  const download = await save(page);
   assert.match(download.suggestedFilename(), /^meadow-[0-9.]+s\.png$/);
   const bytes = readFileSync(await download.path());
   assert.deepEqual([...bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);

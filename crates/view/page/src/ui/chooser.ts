@@ -76,13 +76,15 @@ export function chooser(run: Run, chosen: () => ChartKey[], anchor: HTMLElement)
     none.textContent = rows.length === 0 ? "This run has published no numbers yet." : `No number is called “${input.value.trim()}”.`;
     show(none, rows.every((it) => it.element.hidden));
   };
-  const update = () => {
-    if (!element.matches(":popover-open")) return;
+  const refresh = () => {
     fill();
     const ticked = new Set(chosen().map(nameOf));
     for (const { box, name } of rows) box.checked = ticked.has(name);
     usual.disabled = run.charts.value === null;
     search();
+  };
+  const update = () => {
+    if (element.matches(":popover-open")) refresh();
   };
   input.addEventListener("input", search);
   // At once, and not for anybody else: the browser's own closing comes some time later.
@@ -92,17 +94,18 @@ export function chooser(run: Run, chosen: () => ChartKey[], anchor: HTMLElement)
     event.preventDefault();
     event.stopPropagation();
   });
-  element.addEventListener("beforetoggle", () => {
+  element.addEventListener("beforetoggle", (event) => {
+    if (event.newState !== "open") return;
+    // Before it is seen: somebody may click at once.
+    input.value = "";
+    refresh();
     const box = anchor.getBoundingClientRect();
     element.style.right = `${Math.max(8, innerWidth - box.right)}px`;
     element.style.bottom = `${Math.max(8, innerHeight - box.top + 4)}px`;
     element.style.maxHeight = `${Math.max(120, box.top - 60)}px`;
   });
   element.addEventListener("toggle", (event) => {
-    if ((event as ToggleEvent).newState !== "open") return;
-    input.value = "";
-    update();
-    input.focus();
+    if ((event as ToggleEvent).newState === "open") input.focus();
   });
   return {
     element,
