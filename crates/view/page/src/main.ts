@@ -46,6 +46,7 @@ Object.assign(window, {
   simbeeotic: {
     place: () => page?.place(),
     stats: () => page?.stats(),
+    quiet: () => page?.quiet() ?? false,
     state: () => run?.told,
     time_s: () => run?.time.value,
     frame: () => run?.player.frame,

@@ -172,6 +172,12 @@ export class Page {
     return this.scene?.stats() ?? { drawn: 0, ms: 0 };
   }
 
+  /** Whether nothing is drawn, nothing is waited for, and all that is to be drawn has been: for tests. */
+  quiet(): boolean {
+    const { run } = this;
+    return this.beat === 0 && !run.player.busy && !run.waits && (this.scene?.quiet() ?? true);
+  }
+
   /** Takes the page away; the answer shows the next one the same. */
   dispose(): Place {
     const place = this.place();

@@ -59,6 +59,8 @@ export class Run {
   readonly notice = new Signal<Notice | null>(null);
   /** In order of time. */
   marks: Mark[] = [];
+  /** Whether marks, series and wind are known: a recording is shown before all of it has been read. */
+  readonly read = new Signal(true);
   /** The kind of marks that are listed, drawn and jumped to; empty: all. */
   readonly markKind = new Signal("");
   readonly marked = new Signal(0);
@@ -99,11 +101,22 @@ export class Run {
       this.replay = new ReplayPlayer(hello.replay, hello.vehicles.paths.length, send);
       this.player = this.replay;
       this.time.value = hello.replay.from_s;
+      this.read.value = false;
     } else {
       this.live = new LivePlayer(send);
       this.replay = null;
       this.player = this.live;
     }
+  }
+
+  /** Something of what is shown is still to come from the program. */
+  get waits(): boolean {
+    const { replay } = this;
+    const vehicle = this.selected.value;
+    const details = this.details.value;
+    if (!replay) return vehicle !== null && details === null;
+    const told = vehicle === null || (details !== null && Math.abs(details.t - replay.time_s) < 1e-6);
+    return !this.read.value || replay.fetching || !told;
   }
 
   /** The scenario's or recording's name, without folders. */
@@ -147,6 +160,7 @@ export class Run {
         if (this.series.lines.get(message.id)?.about.name === "packets/sent") this.found({ radio: message.values.some(Boolean) });
         break;
       case "marks":
+        this.read.value = true;
         this.mark(message.list, message.dropped);
         break;
       case "packets":
@@ -278,6 +292,10 @@ export class Run {
     const list = own.length > 0 ? own : wanted;
     const mark =
       by > 0 ? list.find((mark) => mark.t > here + 1e-9) : list.findLast((mark) => mark.t < here - 1e-9);
+    if (!mark && !this.read.value) {
+      this.say("The recording is still being read: its marks come in a moment.");
+      return;
+    }
     if (!mark) {
       const kind = this.markKind.value || "mark";
       const whose = own.length > 0 ? ` of ${this.path(vehicle!)}` : "";

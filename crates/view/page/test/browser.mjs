@@ -1,5 +1,6 @@
 // A program and a browser for the tests: the real ones. SIMBEEOTIC and CHROMIUM say where they are; with FRESH=1
 // the page comes from dist.
+import assert from "node:assert/strict";
 import { chromium } from "playwright-core";
 import { spawn } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
@@ -86,12 +87,16 @@ export async function execute(...args) {
   if (code !== 0) throw new Error(`${program} ${args.join(" ")} ended with ${code}:\n${said}`);
 }
 
-/** A tab with the page, drawn at least once, as for somebody who knows it, or a `newcomer`. What goes wrong in it is in `faults`. */
+/**
+ * A tab with the page, whose swarm has been drawn, as for somebody who knows it, or a `newcomer`. `early`: keys that are
+ * pressed as soon as there is a page, before it has anything to draw. What goes wrong in it is in `faults`.
+ */
 export async function open(browser, url, options = {}) {
-  const { newcomer = false, ...rest } = options;
+  const { newcomer = false, early = [], ...rest } = options;
   const context = await browser.newContext({ viewport: { width: 1000, height: 640 }, reducedMotion: "reduce", acceptDownloads: true, ...rest });
   // The first hints are gone where somebody has used the page.
   if (!newcomer) await context.addInitScript(() => location.protocol.startsWith("http") && localStorage.setItem("simbeeotic.met", "yes"));
+  if (early.length > 0) await context.addInitScript(hasten, early);
   // While one works on the page: what lies in dist, not what the program embeds.
   if (process.env.FRESH) {
     const types = { "page.js": "text/javascript", "page.css": "text/css" };
@@ -108,11 +113,23 @@ export async function open(browser, url, options = {}) {
   });
   page.on("pageerror", (error) => page.faults.push(String(error.stack ?? error)));
   await page.goto(url);
-  await drawn(page).catch(async (error) => {
-    const shown = await page.evaluate(() => document.body.innerText.slice(0, 500));
-    throw new Error(`${error.message}\non the console: ${page.faults.join("\n")}\nshown: ${shown}`);
+  const shown = () => window.simbeeotic?.frame() && window.simbeeotic.stats().drawn > 0;
+  await until(page, shown).catch(async (error) => {
+    const text = await page.evaluate(() => document.body.innerText.slice(0, 500));
+    throw new Error(`${error.message}\non the console: ${page.faults.join("\n")}\nshown: ${text}`);
   });
   return page;
+}
+
+/** Runs in the page before all else: presses keys between the message that makes the page and its first frame. */
+function hasten(keys) {
+  const seen = new MutationObserver(() => {
+    if (!document.querySelector(".page")) return;
+    seen.disconnect();
+    window.hastened = window.simbeeotic.frame() === null;
+    for (const key of keys) document.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+  });
+  seen.observe(document, { childList: true, subtree: true });
 }
 
 /** Drawing without a graphics card is slow, and the browser says so; that is no fault of the page. */
@@ -141,21 +158,40 @@ export async function save(page) {
 /** That picture's PNG. */
 export const saved = async (page) => readFileSync(await (await save(page)).path());
 
-/** Waits until nothing is drawn any more, for twice a time: what stands costs nothing. */
-export async function rest(page, polling = 600) {
-  await page.evaluate(() => (window.before = ["", ""]));
+/** Waits until all that is to come has come and is drawn, as fine as it gets, and nothing is drawn any more: what stands costs nothing. */
+export async function rest(page) {
+  await page.evaluate(() => (window.before = -1));
   await page.waitForFunction(
     () => {
-      const { place, stats } = window.simbeeotic;
-      const now = JSON.stringify([place().camera, stats().drawn]);
-      const same = window.before.every((it) => it === now);
-      window.before = [window.before[1], now];
+      const { drawn } = window.simbeeotic.stats();
+      // Twice: what an event has changed is drawn some time later.
+      const same = window.simbeeotic.quiet() && window.before === drawn;
+      window.before = window.simbeeotic.quiet() ? drawn : -1;
       return same;
     },
     null,
-    // Longer than a picture waits for its finer successor.
-    { polling, timeout: PATIENCE_MS },
+    { polling: 100, timeout: PATIENCE_MS },
   );
+}
+
+/** The same, and nothing is drawn for a second, whatever is told meanwhile. */
+export async function stands(page) {
+  await rest(page);
+  const count = () => page.evaluate(() => window.simbeeotic.stats().drawn);
+  const before = await count();
+  await page.waitForTimeout(1000);
+  assert.equal(await count(), before, "pictures of what stands");
+}
+
+/** Does something, and waits until the page has said something like `words`, however soon that goes again. */
+export async function said(page, words, act) {
+  await page.evaluate(() => {
+    const box = document.querySelector(".notice");
+    window.said = [];
+    new MutationObserver(() => window.said.push(box.textContent)).observe(box, { childList: true, characterData: true, attributes: true, subtree: true });
+  });
+  await act();
+  await until(page, ([source, flags]) => window.said.some((text) => new RegExp(source, flags).test(text)), [words.source, words.flags]);
 }
 
 /** Waits until the run is held and the page shows where: what was under way has arrived. */
@@ -172,7 +208,7 @@ export async function still(page) {
       return stood;
     },
     null,
-    { polling: 300, timeout: PATIENCE_MS },
+    { polling: 150, timeout: PATIENCE_MS },
   );
 }
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { fly, prepare, serveScene, watch } from "../dev/harness.mjs";
-import { PATIENCE_MS, launch, open, rest, scenario, serve } from "./browser.mjs";
+import { PATIENCE_MS, launch, open, scenario, serve, stands } from "./browser.mjs";
 
 let browser, scene;
 
@@ -53,8 +53,7 @@ test("nothing is drawn while nothing changes, and something as soon as it does",
   try {
     const page = await open(browser, run.url);
     const count = () => page.evaluate(() => window.simbeeotic.stats().drawn);
-    // However long a picture takes here: at last no other comes.
-    await rest(page, 2500);
+    await stands(page);
     const last = await count();
     await page.keyboard.press("7");
     await page.waitForFunction((last) => window.simbeeotic.stats().drawn > last, last, { timeout: PATIENCE_MS });

@@ -1,7 +1,7 @@
 // What a designer looks at, in a real browser: nothing is cut, covered or moved about, and all can be reached by keys.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, open, rest, scenario, serve, still, until, untilTime } from "./browser.mjs";
+import { launch, open, scenario, serve, stands, still, until, untilTime } from "./browser.mjs";
 
 let browser, run, page;
 
@@ -68,7 +68,7 @@ test("the picture keeps its place and size when the run starts, and when a vehic
 });
 
 test("a run that stands is not drawn again, and its selected vehicle neither", async () => {
-  await rest(page);
+  await stands(page);
 });
 
 test("the tab key goes through bar, layers, controls, charts and list, and shows where it is", async () => {

@@ -1,7 +1,7 @@
 // A live run in a real browser: it moves, stops, steps and changes its pace when the page says so.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { launch, open, place, scenario, serve, still, time, until, untilTime } from "./browser.mjs";
+import { launch, open, place, rest, scenario, serve, still, time, until, untilTime } from "./browser.mjs";
 
 let browser, run, page;
 
@@ -58,7 +58,8 @@ test("who presses twice at once pauses and resumes, however slow the answer is",
   await page.keyboard.press("Space");
   await state("live");
   await untilTime(page, t + 0.5);
-  assert.equal((await page.evaluate(() => window.simbeeotic.state())).paused, false);
+  // What the program says, too: it may have been told of a pause in between.
+  await until(page, () => !window.simbeeotic.state().paused);
 });
 
 test("a step goes 0.1 s, or to the next instant", async () => {
@@ -68,6 +69,8 @@ test("a step goes 0.1 s, or to the next instant", async () => {
   const before = await time(page);
   await page.click("#step-tenth");
   await untilTime(page, before + 0.0999);
+  // Frames on the way there are shown, too.
+  await still(page);
   const tenth = await time(page);
   assert.ok(Math.abs(tenth - before - 0.1) < 1e-6, `${before} to ${tenth}`);
   await page.keyboard.press(".");
@@ -126,12 +129,8 @@ test("a click on a vehicle selects it", async () => {
   await page.keyboard.press("f");
   // From above, what is followed comes to be in the middle of what the panel leaves free.
   await page.keyboard.press("t");
-  await until(page, () => {
-    const { camera } = window.simbeeotic.place();
-    const same = JSON.stringify(camera) === window.camera && camera.flat;
-    window.camera = JSON.stringify(camera);
-    return same;
-  });
+  await rest(page);
+  assert.ok((await place(page)).camera.flat);
   await page.keyboard.press("Escape");
   await until(page, () => window.simbeeotic.place().select === undefined);
   const box = await page.locator("#scene canvas").first().boundingBox();
@@ -146,23 +145,27 @@ test("charts have data", async () => {
   const chart = page.locator('.chart[data-series="speed"]');
   await chart.waitFor();
   await until(page, () => /[0-9]/.test(document.querySelector('.chart[data-series="speed"] output').textContent));
-  const inked = await chart.locator("canvas").evaluate((canvas) => {
+  await chart.locator("canvas").waitFor();
+  const inked = () => {
+    const canvas = document.querySelector('.chart[data-series="speed"] canvas');
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
     return data.some((value, at) => at % 4 === 3 && value > 0);
-  });
-  assert.ok(inked);
+  };
+  await until(page, inked);
 });
 
 test("charts are chosen by name, and taken away", async () => {
   const names = (list) => until(page, (list) => [...document.querySelectorAll(".chart")].map((it) => it.dataset.series).join() === list, list.join());
-  const ticked = await page.evaluate(() => {
+  const { ticked, focused } = await page.evaluate(() => {
     document.getElementById("choose-charts").click();
-    // Who is quick finds it filled: the browser tells of its opening later.
+    // Who is quick finds it filled, and can type: the browser tells of its opening later.
+    const focused = document.activeElement.id;
     const ticked = [...document.querySelectorAll("#chart-chooser input:checked")];
     for (const it of ticked) it.click();
-    return ticked.length;
+    return { ticked: ticked.length, focused };
   });
   assert.ok(ticked > 0);
+  assert.equal(focused, "find-chart");
   await page.locator("#chart-chooser").waitFor();
   await names([]);
   await page.keyboard.type("contacts");

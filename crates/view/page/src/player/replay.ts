@@ -83,6 +83,11 @@ export class ReplayPlayer implements Player {
     return this.playing.value || this.dirty || this.waiting.value;
   }
 
+  /** Frames are on their way, or are to be asked for. */
+  get fetching(): boolean {
+    return this.fetch !== null;
+  }
+
   get atEnd(): boolean {
     return this.t_s >= this.span.to_s;
   }

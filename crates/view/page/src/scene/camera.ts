@@ -98,7 +98,7 @@ export class Orbit {
 
   /** Glides on for `dt` wall seconds; whether it still moves. */
   step(dt: number): boolean {
-    const f = 1 - Math.exp(-Math.min(dt, 0.4) / this.seconds);
+    const f = 1 - Math.exp(-clamp(dt, 0, 0.4) / this.seconds);
     const { now, goal } = this;
     const away = sub(goal.target, now.target);
     const off =
@@ -244,7 +244,8 @@ export class Orbit {
     }
     const target = axes.reduce<Vec3>((sum, a, i) => add(sum, scale(a, mid[i]!)), [0, 0, 0]);
     this.seconds = 0.12;
-    this.goal.target = sub(target, this.base());
+    // What is followed stays in the middle.
+    this.goal.target = this.anchor ? [0, 0, 0] : sub(target, this.base());
     this.goal.zoom = Math.log(clamp(distance * 1.12, NEAREST_M * 5, FARTHEST_M));
     if (at_once) this.now = structuredClone(this.goal);
   }

@@ -104,5 +104,7 @@ export interface SceneView {
    * (0 before the fourth): for tests and the status line.
    */
   stats(): { drawn: number; ms: number };
+  /** Whether the picture is finished as it is, and no other is to come by itself: for tests. */
+  quiet(): boolean;
   dispose(): void;
 }

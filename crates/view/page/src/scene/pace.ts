@@ -49,6 +49,7 @@ export class Pace {
   begin(kind: "motion" | "rest" | "finest"): void {
     this.began = performance.now();
     clearTimeout(this.rest);
+    this.rest = 0;
     this.use(kind === "motion" ? this.moving : kind === "rest" ? atRest(this.moving, this.ms, this.finest()) : this.finest());
     this.standing = kind !== "motion";
   }
@@ -64,9 +65,15 @@ export class Pace {
     }
     if (!this.standing && this.ratio < this.finest()) {
       this.rest = window.setTimeout(() => {
+        this.rest = 0;
         if (atRest(this.moving, this.ms, this.finest()) > this.ratio) this.redraw();
       }, REST_MS);
     }
+  }
+
+  /** The last picture is finished, and none is to come that shows the same finer. */
+  get quiet(): boolean {
+    return this.rest === 0 && this.fence === null;
   }
 
   dispose(): void {

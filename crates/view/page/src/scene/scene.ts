@@ -136,7 +136,7 @@ class Scene implements SceneView {
     this.ends.push(
       listen(canvas, this.orbit, {
         moved: () => {
-          this.sight.chosen();
+          this.sight.settled();
           this.go();
         },
         click: (x, y) => options.onPick(this.pointing.vehicleAt(x, y)),
@@ -302,6 +302,10 @@ class Scene implements SceneView {
 
   stats(): { drawn: number; ms: number } {
     return { drawn: this.pace.drawn, ms: this.pace.ms };
+  }
+
+  quiet(): boolean {
+    return this.request === 0 && this.pace.quiet;
   }
 
   dispose(): void {

@@ -28,6 +28,8 @@ export class Sight {
   /** When the view that nobody has chosen began; null: somebody has. */
   private since_s: number | null = null;
   private placed = false;
+  /** Somebody has chosen a direction, or whom to follow, before there was anything to see. */
+  private directed = false;
   private sighted = false;
   private points: Vec3[] = [];
   private spot = new Float64Array(3);
@@ -39,14 +41,15 @@ export class Sight {
     private radii: ArrayLike<number>,
   ) {}
 
-  /** Somebody has chosen what to look at. */
+  /** Somebody has chosen what to look at, or from where: a swarm that is still to come is looked at from there. */
   chosen(): void {
     this.since_s = null;
+    this.directed = true;
   }
 
-  /** The same, for good: the swarm is not looked for. */
+  /** Somebody has chosen both: the swarm is not looked for. */
   settled(): void {
-    this.chosen();
+    this.since_s = null;
     this.placed = true;
   }
 
@@ -62,7 +65,7 @@ export class Sight {
   passed(from_s: number, to_s: number, view: THREE.Matrix4, moving: boolean): boolean {
     if (!this.placed) {
       this.placed = true;
-      this.since_s = from_s;
+      if (!this.directed) this.since_s = from_s;
       return this.onSwarm(true);
     }
     if (this.since_s === null) return false;
@@ -104,7 +107,7 @@ export class Sight {
     const all = first && wide < Math.max(size, radius * 20) * 1.4 ? [...points, ...corners(around)] : points;
     const margin = Math.max(radius * 3, size * 0.03, 0.3);
     this.orbit.fit(all, margin, first);
-    if (first && !around.isEmpty()) this.lookOver(all, margin);
+    if (first && !this.directed && !around.isEmpty()) this.lookOver(all, margin);
     return true;
   }
 

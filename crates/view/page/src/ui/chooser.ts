@@ -22,7 +22,7 @@ interface Row {
 
 /** Opens over `anchor`, which says so by its own `popovertarget`. */
 export function chooser(run: Run, chosen: () => ChartKey[], anchor: HTMLElement): Chooser {
-  const input = h("input", { type: "search", id: "find-chart", placeholder: "Find a number", "aria-label": "find a number by name", autocomplete: "off", spellcheck: "false" });
+  const input = h("input", { type: "search", id: "find-chart", placeholder: "Find a number", "aria-label": "find a number by name", autocomplete: "off", spellcheck: "false", autofocus: true });
   const list = h("div", { class: "choices" });
   const none = h("p", { class: "empty faint" });
   const usual = button("The usual charts", null, "The usual charts", () => (run.charts.value = null), { class: "tool plain", id: "usual-charts" });
@@ -103,9 +103,6 @@ export function chooser(run: Run, chosen: () => ChartKey[], anchor: HTMLElement)
     element.style.right = `${Math.max(8, innerWidth - box.right)}px`;
     element.style.bottom = `${Math.max(8, innerHeight - box.top + 4)}px`;
     element.style.maxHeight = `${Math.max(120, box.top - 60)}px`;
-  });
-  element.addEventListener("toggle", (event) => {
-    if ((event as ToggleEvent).newState === "open") input.focus();
   });
   return {
     element,

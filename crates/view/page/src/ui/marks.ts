@@ -65,7 +65,7 @@ export function marksList(run: Run): HTMLElement {
     // The newest of a live run are on top, where one looks; a recording is read from its beginning.
     if (!run.replay) listed = listed.toReversed();
     none.textContent =
-      run.marks.length > 0 ? "No such mark." : run.replay ? "Nothing is marked in this recording: no contact, no event, no log line." : "Nothing has happened yet: no contact, no event, no log line.";
+      run.marks.length > 0 ? "No such mark." : !run.read.value ? "The recording is still being read …" : run.replay ? "Nothing is marked in this recording: no contact, no event, no log line." : "Nothing has happened yet: no contact, no event, no log line.";
     show(none, listed.length === 0);
     show(list.element, listed.length > 0);
     show(filters, run.marks.length > 0);
@@ -78,6 +78,7 @@ export function marksList(run: Run): HTMLElement {
   run.markKind.on(fill);
   own.addEventListener("change", fill);
   run.marked.on(fillSoon);
+  run.read.on(fill);
   run.selected.on(fill);
   fill();
   return h("div", { class: "marks" }, filters, list.element, none, dropped);
