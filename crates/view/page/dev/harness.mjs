@@ -61,26 +61,26 @@ export function watch(blind) {
     });
 }
 
-/** Makes ready what `fly` shows, and switches on everything that the page can show. */
-export async function prepare(page) {
-  await page.evaluate(() => {
+/** Makes ready what `fly` shows, `ticks` ticks, and switches on everything that the page can show. */
+export async function prepare(page, ticks = 40) {
+  await page.evaluate((ticks) => {
     const d = window.dev;
     d.view.setLayers({ ...d.layers, links: true, wind: true });
     d.view.setWind(d.wind());
     d.view.select(9);
     d.view.setDetails(d.details(9, 6));
-    d.ticks = Array.from({ length: 40 }, (_, k) => d.frame(6 + 0.1 * k));
+    d.ticks = Array.from({ length: ticks }, (_, k) => d.frame(6 + 0.1 * k));
     d.air = Array.from({ length: 4 }, (_, k) => ({ links: d.links(6 + k), packets: d.packets(6 + k, 16) }));
-  });
+  }, ticks);
 }
 
 /**
  * The swarm flies: `pictures` pictures, three a tick. Returns what each cost;
- * the first thirty, while the scene is made and warms up, are left out.
+ * the first ones, while the scene is made and warms up, are left out.
  */
-export async function fly(page, pictures) {
+export async function fly(page, pictures, warm = 30) {
   return page.evaluate(
-    (wanted) =>
+    ([wanted, warm]) =>
       new Promise((done) => {
         const d = window.dev;
         let k = 0;
@@ -91,12 +91,12 @@ export async function fly(page, pictures) {
           if (k % 30 === 0) d.view.setLinks(d.air[(k / 30) % 4].links);
           if (k % 15 === 0) d.view.addPackets(d.air[(k / 15) % 4].packets, 1);
           k += 1;
-          if (window.pictures.length < wanted + 30) requestAnimationFrame(step);
-          else done(window.pictures.slice(30, 30 + wanted));
+          if (window.pictures.length < wanted + warm) requestAnimationFrame(step);
+          else done(window.pictures.slice(warm, warm + wanted));
         };
         window.pictures.length = 0;
         step();
       }),
-    pictures,
+    [pictures, warm],
   );
 }
