@@ -189,7 +189,7 @@ function wind(): number[][] {
 }
 
 const told: Record<string, unknown> = {};
-const layers: Layers = { labels: false, trails: true, links: false, packets: true, beams: true, wind: false, grid: true, world: true };
+const layers: Layers = { labels: false, trails: true, links: false, packets: true, beams: true, wind: false, grid: true, world: true, cut: false };
 const started = performance.now();
 const view: SceneView = createScene(document.getElementById("scene")!, {
   hello, dark,
@@ -197,6 +197,8 @@ const view: SceneView = createScene(document.getElementById("scene")!, {
   onHover: (v) => (told["hover"] = v),
   onCamera: (v) => (told["camera"] = v),
   onLegend: (v) => (told["legend"] = v),
+  onLost: () => (told["lost"] = true),
+  onOverhead: (v) => (told["overhead"] = v),
 });
 view.setLayers(layers);
 told["built_ms"] = performance.now() - started;

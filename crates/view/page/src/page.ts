@@ -11,7 +11,7 @@ import { createScene } from "./scene/scene";
 import { chartsPanel } from "./ui/charts";
 import { helpSheet } from "./ui/help";
 import { listen, type Key } from "./ui/keys";
-import { layersPanel, layerWords, views } from "./ui/layers";
+import { layerKeys, layersPanel, layerWords, views } from "./ui/layers";
 import { Layout, type Panel } from "./ui/layout";
 import { liveActions, liveBar } from "./ui/livebar";
 import { firstSteps, noticeBox, waitingCard } from "./ui/notices";
@@ -32,6 +32,8 @@ export class Page {
   private beat = 0;
   private drawn_ms = -Infinity;
   private hidden = false;
+  /** Whether the world is shown cut open has been decided: by a link, by somebody, or once by itself. */
+  private cutChosen = false;
   /** Relative to what is followed, which is not there before the first frame of its time. */
   private pendingCamera: CameraState | null = null;
 
@@ -58,6 +60,12 @@ export class Page {
         },
         onCamera: () => {},
         onLegend: (legend) => (run.legend.value = legend),
+        onOverhead: (hides) => {
+          run.found({ overhead: true });
+          if (!hides || this.cutChosen) return;
+          run.layers.value = { ...run.layers.value, cut: true };
+          run.say("The swarm is under a roof, so the world is shown cut open: the key x closes it.");
+        },
         onLost: () => run.say("All vehicles are out of sight: the key a, or “Show all”, shows them."),
       });
     } catch (error) {
@@ -149,7 +157,10 @@ export class Page {
   restore(place: Place): void {
     const { run } = this;
     if (place.theme) this.settings.theme.value = place.theme;
-    if (place.layers) run.layers.value = place.layers;
+    if (place.layers) {
+      run.layers.value = place.layers;
+      this.cutChosen = true;
+    }
     if (place.colour) run.paint(place.colour);
     if (place.charts) run.charts.value = place.charts;
     if (place.marks) run.markKind.value = place.marks;
@@ -235,7 +246,10 @@ export class Page {
     const { run, scene, settings } = this;
     run.onBusy = () => this.wake();
     if (scene) {
-      run.layers.now((layers) => scene.setLayers(layers));
+      run.layers.now((layers, before) => {
+        this.cutChosen ||= layers.cut !== before.cut;
+        scene.setLayers(layers);
+      });
       const colour = () => {
         const { by, name } = run.colour.value;
         const series = run.colourSeries();
@@ -347,7 +361,7 @@ export class Page {
       key("View", "a", "all vehicles in sight", () => this.fit()),
       key("View", "f", "follow the selected vehicle", () => this.follow()),
       key("View", "Escape", "select nothing", () => run.select(null)),
-      ...layerNames.map((name, at) => key("Show", String(at + 1), layerWords[name].toLowerCase(), () => run.toggleLayer(name))),
+      ...layerNames.map((name) => key("Show", layerKeys[name], layerWords[name].toLowerCase(), () => run.toggleLayer(name))),
       key("Page", "/", "find a vehicle", open.search),
       key("Page", "l", "layers and colours", () => layout.toggle("layers")),
       key("Page", "v", "vehicles", () => layout.toggleTab("vehicles")),

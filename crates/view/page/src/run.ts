@@ -40,6 +40,8 @@ export interface Has {
   radio: boolean;
   wind: boolean;
   beams: boolean;
+  /** Something of the world is above the swarm. */
+  overhead: boolean;
 }
 
 /** Always the same, so that it is no change. */
@@ -72,7 +74,7 @@ export class Run {
   readonly following = new Signal(false);
   readonly layers = new Signal<Layers>(usualLayers());
   readonly colour = new Signal<Colour>({ by: "kind", name: "" });
-  readonly has = new Signal<Has>({ radio: false, wind: false, beams: false });
+  readonly has = new Signal<Has>({ radio: false, wind: false, beams: false, overhead: false });
   readonly charts = new Signal<ChartKey[] | null>(null);
   /** What happens on this run, not on its successor: ends listeners on what outlives it. */
   readonly gone = new AbortController();
@@ -324,7 +326,7 @@ export class Run {
   }
 
   /** What was seen once is there. */
-  private found(seen: Partial<Has>): void {
+  found(seen: Partial<Has>): void {
     const has = { ...this.has.value };
     for (const name of Object.keys(seen) as (keyof Has)[]) has[name] ||= seen[name] ?? false;
     if (JSON.stringify(has) !== JSON.stringify(this.has.value)) this.has.value = has;

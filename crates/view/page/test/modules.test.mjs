@@ -66,7 +66,7 @@ test("a link is read as it was written", () => {
     camera: { from: [1.25, -2, 3], at: [0, 0, 5.001], flat: true },
     select: "hive/bee 3&4",
     follow: true,
-    layers: { labels: true, trails: false, links: true, packets: false, beams: false, wind: true, grid: false, world: true },
+    layers: { labels: true, trails: false, links: true, packets: false, beams: false, wind: true, grid: false, world: true, cut: true },
     colour: { by: "value", name: "net/hops" },
     theme: "dark",
     charts: [{ name: "packets/sent", own: false }, { name: "battery/soc", own: true }],

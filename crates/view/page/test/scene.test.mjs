@@ -262,6 +262,33 @@ test("a camera that follows keeps its distance, and can be turned meanwhile", ()
   near(orbit.state().at, [100, 50, 7], 1e-3);
 });
 
+test("a camera that follows looks at whom it follows after a fit, too", () => {
+  const orbit = new camera.Orbit();
+  orbit.resize(800, 600);
+  orbit.follow(() => [50, 60, 7]);
+  orbit.fit([[0, 0, 0], [10, 10, 10]], 0, true);
+  near(orbit.state().at, [50, 60, 7], 1e-3);
+});
+
+test("from the side a floor is near the lower edge, unless it is out of sight or the view is another", () => {
+  const orbit = new camera.Orbit();
+  orbit.resize(800, 600);
+  const fit = (view, low, high) => {
+    orbit.setView(view);
+    orbit.fit([[-20, 0, low], [20, 0, high]], 0, true);
+    const before = orbit.state().at[2];
+    orbit.standOn(0, true);
+    const half = orbit.distance() * Math.tan(Math.PI / 9);
+    return [before, orbit.state().at[2], half];
+  };
+  const [middle, at, half] = fit("south", 0, 4);
+  near([middle, at], [2, 0.8 * half], 1e-3);
+  for (const [view, low, high] of [["south", 100, 104], ["top", 0, 4], ["orbit", 0, 4]]) {
+    const [before, after] = fit(view, low, high);
+    near([after], [before], 1e-6);
+  }
+});
+
 test("a wheel keeps what is under the pointer where it is", () => {
   const orbit = new camera.Orbit();
   orbit.resize(800, 600);

@@ -25,7 +25,7 @@ export interface ChartKey {
   own: boolean;
 }
 
-export const layerNames = ["labels", "trails", "links", "packets", "beams", "wind", "grid", "world"] as const;
+export const layerNames = ["labels", "trails", "links", "packets", "beams", "wind", "grid", "world", "cut"] as const;
 const colours: ColourBy[] = ["kind", "battery", "speed", "value"];
 const themes: Theme[] = ["auto", "light", "dark"];
 

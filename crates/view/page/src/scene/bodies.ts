@@ -4,15 +4,19 @@ import * as THREE from "three";
 import { SWARM, type Frames } from "./frames";
 import { LIGHT, type Shared } from "./light";
 
+const BETWEEN = /* glsl */ `
+varying vec3 vColour, vNormal2, vToEye;
+varying float vAway;
+`;
+
 const VERTEX = /* glsl */ `
+${BETWEEN}
 ${SWARM}
 attribute vec4 tint;
 attribute float vehicle;
 uniform vec3 uViewport;
 /** The least radius on the screen, in CSS pixels; the radius of the geometry, 0: that of the vehicle. */
 uniform float uLeast, uRadius;
-varying vec3 vColour, vNormal2, vToEye;
-varying float vAway;
 void main() {
   vec4 place = placeOf(vehicle);
   vec4 turn = turnOf(vehicle);
@@ -30,10 +34,9 @@ void main() {
 `;
 
 const FRAGMENT = /* glsl */ `
+${BETWEEN}
 ${LIGHT}
 uniform float uOpacity, uGlow;
-varying vec3 vColour, vNormal2, vToEye;
-varying float vAway;
 void main() {
   vec3 n = normalize(vNormal2);
   vec3 eye = normalize(vToEye);

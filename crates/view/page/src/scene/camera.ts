@@ -15,6 +15,9 @@ const ARRIVED = 2e-4;
 const NEAREST_M = 0.02;
 const FARTHEST_M = 200_000;
 
+/** The share of the picture's height below a floor that is looked at from the side. */
+const BELOW = 0.1;
+
 interface Pose {
   /** What it looks at; relative to what is followed, if anything is. */
   target: Vec3;
@@ -247,6 +250,21 @@ export class Orbit {
     // What is followed stays in the middle.
     this.goal.target = this.anchor ? [0, 0, 0] : sub(target, this.base());
     this.goal.zoom = Math.log(clamp(distance * 1.12, NEAREST_M * 5, FARTHEST_M));
+    if (at_once) this.now = structuredClone(this.goal);
+  }
+
+  /** Whether it goes to a view from the side. */
+  aside(): boolean {
+    return this.goal.flat === 1 && Math.abs(this.goal.elevation) < 1e-3;
+  }
+
+  /** From the side, what is below a floor takes a narrow strip of the picture: there is nothing to see in it. */
+  standOn(floor_m: number, at_once: boolean): void {
+    if (!this.aside() || this.anchor) return;
+    const half = Math.exp(this.goal.zoom) * TAN_HALF_VIEW;
+    const [x, y, z] = this.goal.target;
+    // A floor that is out of sight stays so.
+    if (z - half < floor_m) this.goal.target = [x, y, Math.max(z, floor_m + half * (1 - 2 * BELOW))];
     if (at_once) this.now = structuredClone(this.goal);
   }
 

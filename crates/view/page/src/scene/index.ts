@@ -21,6 +21,8 @@ export interface Layers {
   /** Metric lines on the ground, the scale and the compass. */
   grid: boolean;
   world: boolean;
+  /** The world without what is above the swarm: roofs, upper storeys. */
+  cut: boolean;
 }
 
 /** `top`: from above, north up. `north`: seen from the north, as `top` is from the top. `orbit`: back to perspective. */
@@ -59,6 +61,11 @@ export interface SceneOptions {
   onLegend(legend: Legend | null): void;
   /** The last vehicle has left the picture. */
   onLost(): void;
+  /**
+   * Now and then while the world is whole, if anything of it is above the swarm, so that `cut` makes a difference. `hides`:
+   * most of the swarm is hidden from wherever one looks.
+   */
+  onOverhead(hides: boolean): void;
 }
 
 /** Implemented in scene.ts. Draws only when something has changed. */

@@ -33,6 +33,8 @@ export interface Shared {
   uSee: THREE.IUniform<THREE.Matrix4>;
   /** 1: without perspective. */
   uFlat: THREE.IUniform<number>;
+  /** Pieces of the world that begin above this are cut away, m. */
+  uCeiling: THREE.IUniform<number>;
   /** Wall time, s. */
   uClock: THREE.IUniform<number>;
   uShadow: THREE.IUniform<THREE.Texture | null>;
@@ -67,6 +69,7 @@ export function createShared(dark: boolean): Shared {
     uWorldTone: { value: 1 },
     uSee: { value: new THREE.Matrix4() },
     uFlat: { value: 0 },
+    uCeiling: { value: 1e9 },
     uClock: { value: 0 },
     uShadow: { value: empty },
     uShadowFrom: { value: new THREE.Matrix4() },
@@ -77,32 +80,57 @@ export function createShared(dark: boolean): Shared {
   return shared;
 }
 
+/** What a theme is made of: lights as they are, colours as sRGB. */
+interface Theme {
+  sun: [number, number, number];
+  sky: [number, number, number];
+  earth: [number, number, number];
+  haze: string;
+  zenith: string;
+  line: string;
+  cut: string;
+  rim: [number, number, number, number];
+  worldTone: number;
+}
+
+const BRIGHT: Theme = {
+  sun: [0.86, 0.8, 0.69],
+  sky: [0.46, 0.52, 0.6],
+  earth: [0.27, 0.26, 0.24],
+  haze: "#dbe6ee",
+  zenith: "#7fabd6",
+  line: "#3c4a46",
+  cut: "#b3b9ae",
+  rim: [0.02, 0.03, 0.05, 0.75],
+  worldTone: 1,
+};
+
+const DARK: Theme = {
+  sun: [0.36, 0.4, 0.5],
+  sky: [0.28, 0.33, 0.44],
+  earth: [0.16, 0.17, 0.2],
+  haze: "#2a3644",
+  zenith: "#0a0f18",
+  line: "#7d90a6",
+  cut: "#0f141b",
+  rim: [0, 0, 0, 0.75],
+  worldTone: 0.9,
+};
+
 export function setTheme(shared: Shared, dark: boolean): void {
-  if (dark) {
-    shared.uSunLight.value.set(0.36, 0.4, 0.5);
-    shared.uSkyLight.value.set(0.28, 0.33, 0.44);
-    shared.uEarthLight.value.set(0.16, 0.17, 0.2);
-    shared.uHaze.value.copy(rgb("#2a3644"));
-    shared.uZenith.value.copy(rgb("#0a0f18"));
-    shared.uLine.value.copy(rgb("#7d90a6"));
-    shared.uCut.value.copy(rgb("#0f141b"));
-    shared.uRim.value.set(0, 0, 0, 0.75);
-    shared.uWorldTone.value = 0.9;
-  } else {
-    shared.uSunLight.value.set(0.86, 0.8, 0.69);
-    shared.uSkyLight.value.set(0.46, 0.52, 0.6);
-    shared.uEarthLight.value.set(0.27, 0.26, 0.24);
-    shared.uHaze.value.copy(rgb("#dbe6ee"));
-    shared.uZenith.value.copy(rgb("#7fabd6"));
-    shared.uLine.value.copy(rgb("#3c4a46"));
-    shared.uCut.value.copy(rgb("#b3b9ae"));
-    shared.uRim.value.set(0.02, 0.03, 0.05, 0.75);
-    shared.uWorldTone.value = 1;
-  }
-  const { x, y, z } = shared.uSkyLight.value;
-  const sun = shared.uSunLight.value;
+  const { sun, sky, earth, haze, zenith, line, cut, rim, worldTone } = dark ? DARK : BRIGHT;
+  shared.uSunLight.value.set(...sun);
+  shared.uSkyLight.value.set(...sky);
+  shared.uEarthLight.value.set(...earth);
+  shared.uHaze.value.copy(rgb(haze));
+  shared.uZenith.value.copy(rgb(zenith));
+  shared.uLine.value.copy(rgb(line));
+  shared.uCut.value.copy(rgb(cut));
+  shared.uRim.value.set(...rim);
+  shared.uWorldTone.value = worldTone;
   const slope = shared.uSun.value.z;
-  shared.uShade.value.set(x / (x + sun.x * slope), y / (y + sun.y * slope), z / (z + sun.z * slope));
+  const left = sky.map((light, k) => light / (light + sun[k]! * slope)) as Theme["sky"];
+  shared.uShade.value.set(...left);
 }
 
 /** What fragment shaders begin with. */

@@ -45,12 +45,13 @@ export function nearest(
   return best;
 }
 
-/** The first piece of the world that a ray (unit direction) meets, and how far away, m. */
-export function firstHit(world: World, from: Vec3, along: Vec3): { target: Target; away_m: number } | null {
+/** The first piece of the world that a ray (unit direction) meets, and how far away, m; without those that begin above the ceiling. */
+export function firstHit(world: World, from: Vec3, along: Vec3, ceiling_m = world.ceiling_m): { target: Target; away_m: number } | null {
   let best: Target | null = null;
   let away = Infinity;
   for (const target of world.targets) {
     const [x, y, z, r] = target.ball;
+    if (target.foot_m >= ceiling_m) continue;
     if (!rayMeetsBall(from, along, x, y, z, r, away)) continue;
     const t = hit(target, from, along);
     if (t < away) {

@@ -1,6 +1,7 @@
 // The scene as a whole: puts the parts together, and draws when something has changed.
 
 import * as THREE from "three";
+import { throttled } from "../core/signal";
 import type { CameraState, ColourBy, Layers, SceneOptions, SceneView, ViewName } from "./index";
 import type { Details, Frame, Link, Packet } from "../wire";
 import { Beams } from "./beams";
@@ -16,7 +17,7 @@ import { Paint } from "./paint";
 import { listen } from "./pointer";
 import { Pointing } from "./pointing";
 import { Radio } from "./radio";
-import { castShadows } from "./shadow";
+import { castShadows, type Shadows } from "./shadow";
 import { Sight } from "./sight";
 import { Sky } from "./sky";
 import { drawnBySoftware } from "./software";
@@ -31,7 +32,10 @@ import { World } from "./world";
 /** How often the camera tells where it is, ms. */
 const TELL_MS = 250;
 
-const ALL: Layers = { labels: false, trails: true, links: true, packets: true, beams: true, wind: true, grid: true, world: true };
+/** How often it is looked whether a roof hides the swarm, ms. */
+const LOOK_UP_MS = 1000;
+
+const ALL: Layers = { labels: false, trails: true, links: true, packets: true, beams: true, wind: true, grid: true, world: true, cut: false };
 
 /** Fills `host` (an element with a size, not `static`) with the scene. Throws if the browser has no WebGL 2. */
 export function createScene(host: HTMLElement, options: SceneOptions): SceneView {
@@ -52,6 +56,7 @@ class Scene implements SceneView {
   private tone = toneUniforms();
   private ground: Ground;
   private sky: Sky;
+  private shadows: Shadows;
   private trails: Trails;
   private radio: Radio;
   private beams: Beams;
@@ -74,6 +79,7 @@ class Scene implements SceneView {
   private tellTimer = 0;
   private disposed = false;
   private fine = false;
+  private readonly lookUpSoon = throttled(LOOK_UP_MS, () => this.lookUp());
   private soft = false;
   private radiusOf = (i: number, w: number): number => this.radius_px(i, w);
 
@@ -114,7 +120,7 @@ class Scene implements SceneView {
     this.scene.matrixWorldAutoUpdate = true;
     this.scene.add(this.ground.mesh, this.sky.mesh, this.world.group, this.vehicles.group, ...this.trails.meshes());
     this.scene.add(this.radio.links.mesh, this.radio.pulses.mesh, this.beams.group, this.wind.mesh, ...this.stems.meshes());
-    this.ends.push(castShadows(this.renderer, this.world.group, this.world.bounds, this.shared, soft ? 2048 : 4096));
+    this.shadows = castShadows(this.renderer, this.world.group, this.world.bounds, this.shared, soft ? 2048 : 4096);
 
     this.pace = new Pace(
       this.renderer,
@@ -145,7 +151,10 @@ class Scene implements SceneView {
       }),
     );
     const lost = (e: Event): void => e.preventDefault();
-    const back = (): void => this.changed();
+    const back = (): void => {
+      this.shadows.draw();
+      this.changed();
+    };
     canvas.addEventListener("webglcontextlost", lost);
     canvas.addEventListener("webglcontextrestored", back);
     const observer = new ResizeObserver(() => this.resize());
@@ -164,6 +173,9 @@ class Scene implements SceneView {
     this.frames.show(a, b, f);
     if (before !== a || beforeB !== b) {
       this.paintAll(b);
+      if (this.layers.cut) this.cut(this.sight.height_m());
+      if (before === null) this.lookUp();
+      else this.lookUpSoon();
       this.trails.passed(a);
       if (this.sight.passed(a.time, b.time, this.view, this.moving)) this.go();
       if (this.sight.lost(this.view)) this.options.onLost();
@@ -189,6 +201,7 @@ class Scene implements SceneView {
   }
 
   setLayers(layers: Layers): void {
+    if (layers.cut !== this.layers.cut) this.cut(layers.cut ? this.sight.height_m() : Infinity);
     this.layers = { ...layers };
     for (const m of this.trails.meshes()) m.visible = layers.trails;
     this.radio.links.mesh.visible = layers.links;
@@ -223,6 +236,7 @@ class Scene implements SceneView {
   setView(name: ViewName): void {
     this.sight.chosen();
     this.orbit.setView(name);
+    if (this.orbit.aside()) this.sight.aside(this.view);
     this.go();
   }
 
@@ -313,12 +327,26 @@ class Scene implements SceneView {
     cancelAnimationFrame(this.request);
     clearTimeout(this.tellTimer);
     for (const end of this.ends) end();
-    for (const part of [this.pace, this.pointing, this.vehicles, this.world, this.ground, this.sky, this.trails, this.radio, this.beams, this.wind, this.stems, this.textures, this.frames]) {
+    for (const part of [this.pace, this.pointing, this.vehicles, this.world, this.shadows, this.ground, this.sky, this.trails, this.radio, this.beams, this.wind, this.stems, this.textures, this.frames]) {
       part.dispose();
     }
     this.renderer.dispose();
     this.renderer.domElement.remove();
     this.overlay.canvas.remove();
+  }
+
+  /** Is the swarm under a roof? */
+  private lookUp(): void {
+    if (this.disposed || this.layers.cut) return;
+    const height_m = this.sight.height_m();
+    if (this.world.reachesAbove(height_m)) this.options.onOverhead(this.sight.hidden(height_m));
+  }
+
+  /** Cuts away what of the world begins above this, with its shadow. */
+  private cut(ceiling_m: number): void {
+    if (ceiling_m === this.world.ceiling_m || !this.world.cut(ceiling_m)) return;
+    this.shadows.draw();
+    this.changed();
   }
 
   // Drawing.

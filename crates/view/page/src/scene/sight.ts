@@ -14,11 +14,17 @@ const FIRST_VIEW_S = 10;
 /** It moves when a smaller share of the vehicles is in sight: in that time, and afterwards. */
 const MANY = 0.7;
 const FEW = 0.3;
+/** Who sees more of them looks at the swarm. */
+const HALF = 0.5;
 /** Where the first view stands, seen from the swarm, rad: the lowest from which the world hides little of it. */
 const ELEVATIONS = [0.36, 0.6, 0.85, 1.1, 1.35];
 /** By so many of the vehicles that is judged, and such a share of them must be seen. */
 const SAMPLES = 20;
 const CLEAR = 0.8;
+/** Where fewer are seen from every elevation, the world hides the swarm. */
+const DIM = 0.5;
+/** The ceiling of a world that is cut open is above such a share of the vehicles. */
+const HIGH = 0.9;
 /** About so many vehicles tell whether the swarm is still in sight. */
 const POLLED = 400;
 
@@ -40,6 +46,27 @@ export class Sight {
     private world: World,
     private radii: ArrayLike<number>,
   ) {}
+
+  /** Above nearly all of the swarm, m; the ceiling of a world that is cut open. */
+  height_m(): number {
+    const heights = this.some(POLLED).map((p) => p[2]).sort((x, y) => x - y);
+    return heights[Math.floor(HIGH * (heights.length - 1))] ?? Infinity;
+  }
+
+  /** Whether what begins above this hides most of the swarm, from wherever one looks. */
+  hidden(height_m: number): boolean {
+    const some = this.some(SAMPLES);
+    const [x, y] = this.orbit.axes()[1];
+    const best = (ceiling_m: number) => {
+      const shares = ELEVATIONS.map((elevation) => {
+        const level = Math.cos(elevation);
+        const up: Vec3 = [level * y, -level * x, Math.sin(elevation)];
+        return some.filter((from) => !firstHit(this.world, from, up, ceiling_m)).length / some.length;
+      });
+      return Math.max(...shares);
+    };
+    return some.length > 0 && best(Infinity) < DIM && best(height_m) >= CLEAR;
+  }
 
   /** Somebody has chosen what to look at, or from where: a swarm that is still to come is looked at from there. */
   chosen(): void {
@@ -85,7 +112,7 @@ export class Sight {
   lost(view: THREE.Matrix4): boolean {
     if (this.since_s !== null) return false;
     const seen = this.seen(view);
-    if (seen > 0.5) this.sighted = true;
+    if (seen > HALF) this.sighted = true;
     if (seen > 0 || !this.sighted || !this.placed) return false;
     this.sighted = false;
     return true;
@@ -101,33 +128,47 @@ export class Sight {
     if (points.length === 0) return false;
     const size = box.getSize(new THREE.Vector3()).length();
     this.reach = Math.max(this.reach, box.min.length(), box.max.length());
-    // With the ground below, and with the world around, if that is not much larger than the swarm.
+    // With the world around, if that is not much larger than the swarm.
     const around = this.world.bounds;
     const wide = around.isEmpty() ? Infinity : around.getSize(new THREE.Vector3()).length();
-    const all = first && wide < Math.max(size, radius * 20) * 1.4 ? [...points, ...corners(around)] : points;
+    const whole = (first || this.orbit.aside()) && wide < Math.max(size, radius * 20) * 1.4;
+    const all = whole ? [...points, ...corners(around)] : points;
     const margin = Math.max(radius * 3, size * 0.03, 0.3);
     this.orbit.fit(all, margin, first);
+    this.orbit.standOn(all.reduce((low, p) => Math.min(low, p[2]), 0), first);
     if (first && !this.directed && !around.isEmpty()) this.lookOver(all, margin);
     return true;
   }
 
-  /** Rises until the world hides few of the swarm; stays low, if that never comes. */
+  /** Rises until the world hides few of the swarm; if that never comes, to where it hides least. */
   private lookOver(points: Vec3[], margin: number): void {
-    const step = Math.max(1, Math.ceil(this.points.length / SAMPLES));
-    const some = this.points.filter((_, i) => i % step === 0);
+    const some = this.some(SAMPLES);
+    let best = { elevation: ELEVATIONS[0]!, seen: 0 };
     for (const elevation of ELEVATIONS) {
       this.orbit.raise(elevation);
       this.orbit.fit(points, margin, true);
       const { from } = this.orbit.state();
-      const free = some.filter((to) => {
+      const seen = some.filter((to) => {
         const away = sub(to, from);
         const hit = firstHit(this.world, from, unit(away));
         return !hit || hit.away_m > length(away);
-      });
-      if (free.length >= CLEAR * some.length) return;
+      }).length;
+      if (seen >= CLEAR * some.length) return;
+      if (seen > best.seen) best = { elevation, seen };
     }
-    this.orbit.raise(ELEVATIONS[0]!);
+    this.orbit.raise(best.elevation);
     this.orbit.fit(points, margin, true);
+  }
+
+  /** The places of so many vehicles, or of all. */
+  private some(most: number): Vec3[] {
+    const { frames } = this;
+    const found: Vec3[] = [];
+    for (let i = 0; i < frames.count; i += Math.max(1, Math.ceil(frames.count / most))) {
+      const p = frames.place(i);
+      if (p) found.push(p);
+    }
+    return found;
   }
 
   private places(): Vec3[] {
@@ -138,6 +179,11 @@ export class Sight {
       if (p) points.push(p);
     }
     return points;
+  }
+
+  /** A view from the side was asked for: of the swarm, unless somebody looks closely at something. */
+  aside(view: THREE.Matrix4): void {
+    if (!this.orbit.following() && this.seen(view) > HALF) this.onSwarm(false);
   }
 
   /** The share of vehicles in the picture, about. */

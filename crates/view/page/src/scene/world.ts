@@ -23,8 +23,9 @@ attribute vec4 colour;
 attribute vec3 local, localNormal;
 #endif
 attribute vec4 tint;
+attribute float foot;
 uniform mat4 uSee;
-uniform float uFlat;
+uniform float uFlat, uCeiling;
 varying vec4 vColour;
 varying vec3 vNormal2, vWorld, vLocal, vLocalNormal;
 varying float vAway;
@@ -44,7 +45,7 @@ void main() {
   #endif
   vColour = vec4(mix(colour.rgb, tint.rgb, tint.a), colour.a);
   vWorld = world.xyz;
-  gl_Position = uSee * world;
+  gl_Position = foot < uCeiling ? uSee * world : vec4(2.0, 2.0, 2.0, 1.0);
   vAway = uFlat > 0.5 ? 0.0 : gl_Position.w;
 }
 `;
@@ -97,6 +98,8 @@ void main() {
 interface Item {
   prop: number;
   matrix: THREE.Matrix4;
+  /** How high its lowest point is, m; terrain is never above anything. */
+  foot_m: number;
   colour: [number, number, number, number];
 }
 
@@ -115,6 +118,7 @@ export interface Target {
   matrix: THREE.Matrix4;
   triangles: () => ArrayLike<number>;
   ball: [x: number, y: number, z: number, radius: number];
+  foot_m: number;
 }
 
 export class World {
@@ -123,6 +127,8 @@ export class World {
   readonly props: Prop[];
   /** The corners of all that stands here; empty if nothing does. */
   readonly bounds = new THREE.Box3();
+  /** Pieces that begin above this are cut away, m. */
+  ceiling_m = Infinity;
   private materials: THREE.ShaderMaterial[] = [];
 
   constructor(
@@ -147,6 +153,19 @@ export class World {
       }
     }
     for (const list of together.values()) this.addTogether(list);
+  }
+
+  /** Whether there is anything that begins above this. */
+  reachesAbove(height_m: number): boolean {
+    return this.targets.some((target) => target.foot_m >= height_m);
+  }
+
+  /** Cuts away what begins above this; `Infinity`: nothing. Whether that changes anything. */
+  cut(ceiling_m: number): boolean {
+    const [low, high] = [Math.min(ceiling_m, this.ceiling_m), Math.max(ceiling_m, this.ceiling_m)];
+    this.ceiling_m = ceiling_m;
+    this.shared.uCeiling.value = Math.min(ceiling_m, 1e9);
+    return this.targets.some(({ foot_m }) => foot_m >= low && foot_m < high);
   }
 
   dispose(): void {
@@ -187,7 +206,7 @@ export class World {
         key += `|${prop.texture}|${clear}|${prop.kind === "terrain"}`;
         let batch = batches.get(key);
         if (!batch) batches.set(key, (batch = { texture: prop.texture, clear, both, terrain: prop.kind === "terrain", make, items: [] }));
-        batch.items.push({ prop: number, matrix, colour: vary(colour, prop, number) });
+        batch.items.push({ prop: number, matrix, foot_m: -Infinity, colour: vary(colour, prop, number) });
       });
     });
     return batches;
@@ -210,11 +229,14 @@ export class World {
       return flat;
     };
     const c = new THREE.Vector3();
-    for (const { prop, matrix } of batch.items) {
+    for (const item of batch.items) {
+      const { prop, matrix } = item;
+      const box = geometry.boundingBox!.clone().applyMatrix4(matrix);
+      if (!batch.terrain) item.foot_m = box.min.z;
       c.copy(sphere.center).applyMatrix4(matrix);
       const radius = sphere.radius * matrix.getMaxScaleOnAxis();
-      this.targets.push({ prop, matrix, triangles, ball: [c.x, c.y, c.z, radius] });
-      this.bounds.union(geometry.boundingBox!.clone().applyMatrix4(matrix));
+      this.targets.push({ prop, matrix, triangles, ball: [c.x, c.y, c.z, radius], foot_m: item.foot_m });
+      this.bounds.union(box);
     }
   }
 
@@ -222,6 +244,7 @@ export class World {
     const n = batch.items.length;
     const mesh = new THREE.InstancedMesh(geometry, this.material(batch, true), n);
     const colours = new Uint8Array(n * 4);
+    geometry.setAttribute("foot", new THREE.InstancedBufferAttribute(Float32Array.from(batch.items, footOf), 1));
     batch.items.forEach((item, i) => {
       mesh.setMatrixAt(i, item.matrix);
       colours.set(item.colour, i * 4);
@@ -233,13 +256,14 @@ export class World {
   }
 
   private addTogether(list: { batch: Batch; geometry: THREE.BufferGeometry }[]): void {
-    const names = ["position", "normal", "tint", "local", "localNormal", "colour"] as const;
-    const soup: Record<(typeof names)[number], number[]> = { position: [], normal: [], tint: [], local: [], localNormal: [], colour: [] };
+    const names = ["position", "normal", "tint", "local", "localNormal", "colour", "foot"] as const;
+    const soup: Record<(typeof names)[number], number[]> = { position: [], normal: [], tint: [], local: [], localNormal: [], colour: [], foot: [] };
     const v = new THREE.Vector3();
     for (const { batch, geometry } of list) {
       const g = geometry.index ? geometry.toNonIndexed() : geometry;
       const [p, n, t] = [g.getAttribute("position"), g.getAttribute("normal"), g.getAttribute("tint")];
-      for (const { matrix, colour } of batch.items) {
+      for (const item of batch.items) {
+        const { matrix, colour } = item;
         const turn = new THREE.Matrix3().getNormalMatrix(matrix);
         const size = new THREE.Vector3().setFromMatrixScale(matrix);
         for (let i = 0; i < p.count; i++) {
@@ -252,6 +276,7 @@ export class World {
           v.applyMatrix3(turn).normalize();
           soup.normal.push(v.x, v.y, v.z);
           soup.tint.push(t.getX(i), t.getY(i), t.getZ(i), t.getW(i));
+          soup.foot.push(footOf(item));
           soup.colour.push(colour[0], colour[1], colour[2], colour[3]);
         }
       }
@@ -259,7 +284,7 @@ export class World {
     const g = new THREE.BufferGeometry();
     for (const name of names) {
       if (name === "colour") g.setAttribute(name, new THREE.Uint8BufferAttribute(soup.colour, 4, true));
-      else g.setAttribute(name, new THREE.Float32BufferAttribute(soup[name], name === "tint" ? 4 : 3));
+      else g.setAttribute(name, new THREE.Float32BufferAttribute(soup[name], name === "tint" ? 4 : name === "foot" ? 1 : 3));
     }
     const batch = list[0]!.batch;
     const mesh = new THREE.Mesh(g, this.material(batch, false));
@@ -298,6 +323,11 @@ function headOf(piece: Piece, size: THREE.Vector3, number: number): THREE.Matrix
   const [w, x, y, z] = piece.turn;
   const own = new THREE.Quaternion(x, y, z, w).normalize().multiply(turn);
   return new THREE.Matrix4().compose(new THREE.Vector3(...piece.at), own, new THREE.Vector3(size.x, size.y, Math.max(size.z, size.x * 0.32)));
+}
+
+/** As a number that a shader can compare. */
+function footOf({ foot_m }: Item): number {
+  return Math.max(foot_m, -1e9);
 }
 
 function highest(pieces: Piece[]): number {

@@ -16,6 +16,20 @@ export const layerWords: { [name in keyof Layers]: string } = {
   wind: "Wind",
   grid: "Grid",
   world: "World",
+  cut: "Cut open",
+};
+
+/** The keys that switch them. */
+export const layerKeys: { [name in keyof Layers]: string } = {
+  labels: "1",
+  trails: "2",
+  links: "3",
+  packets: "4",
+  beams: "5",
+  wind: "6",
+  grid: "7",
+  world: "8",
+  cut: "x",
 };
 
 export const views: [name: ViewName, label: string, key: string, short: string][] = [
@@ -54,27 +68,28 @@ export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () =>
 
 function layerBoxes(run: Run): HTMLElement {
   const list = h("div", { class: "checks" });
-  const hints = new Map((["trails", "links", "packets"] as const).map((name) => [name as keyof Layers, h("span", { class: "faint" })]));
+  const hints = new Map((["trails", "links", "packets", "cut"] as const).map((name) => [name as keyof Layers, h("span", { class: "faint" })]));
   const hint = () => {
     const many = run.count > MOST_RADIOS;
     say(hints.get("trails")!, run.count > MOST_TRAILS ? " of the selected vehicle" : "");
     say(hints.get("packets")!, !many ? "" : run.selected.value === null ? ": select a vehicle" : " of the selected vehicle");
     say(hints.get("links")!, many && run.links.value.length === 0 ? ` of up to ${MOST_RADIOS} radios` : "");
   };
+  say(hints.get("cut")!, ": without roofs");
   run.selected.now(hint);
   run.links.on(hint);
   const rows = new Map<keyof Layers, { row: HTMLElement; box: HTMLInputElement }>();
-  layerNames.forEach((name, at) => {
+  for (const name of layerNames) {
     const box = h("input", {
       type: "checkbox",
       id: `layer-${name}`,
-      "aria-keyshortcuts": String(at + 1),
+      "aria-keyshortcuts": layerKeys[name],
       on: { change: () => run.toggleLayer(name) },
     });
-    const row = h("label", { class: "check" }, box, h("span", {}, layerWords[name], hints.get(name) ?? null), h("kbd", { text: String(at + 1) }));
+    const row = h("label", { class: "check" }, box, h("span", {}, layerWords[name], hints.get(name) ?? null), h("kbd", { text: layerKeys[name] }));
     rows.set(name, { row, box });
     list.append(row);
-  });
+  }
   run.layers.now((layers) => {
     for (const [name, { box }] of rows) box.checked = layers[name];
   });
@@ -84,6 +99,7 @@ function layerBoxes(run: Run): HTMLElement {
     show(rows.get("wind")!.row, has.wind);
     show(rows.get("beams")!.row, has.beams);
     show(rows.get("world")!.row, run.hello.stage.props.length > 0);
+    show(rows.get("cut")!.row, has.overhead);
   });
   return list;
 }
