@@ -99,7 +99,7 @@ await rest();
 const [followed, bee] = await page.evaluate(() => [window.dev.view.camera(), window.dev.view.frames.place(9)]);
 say("it follows a vehicle", Math.hypot(...followed.at.map((x, i) => x - bee[i])) < 0.01);
 await page.evaluate(() => window.dev.view.follow(null));
-const size = await page.evaluate(() => window.dev.view.png().then((b) => [b.type, b.size]));
+const size = await page.evaluate(() => window.dev.view.png({ title: "", rows: [] }).then((b) => [b.type, b.size]));
 say("there is a picture", size[0] === "image/png" && size[1] > 20_000, `${size}`);
 await page.setViewportSize({ width: 500, height: 500 });
 await rest();

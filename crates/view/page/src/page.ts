@@ -8,6 +8,7 @@ import { throttled } from "./core/signal";
 import type { Run } from "./run";
 import type { CameraState, SceneView, ViewName } from "./scene/index";
 import { createScene } from "./scene/scene";
+import { captionOf } from "./ui/caption";
 import { chartsPanel } from "./ui/charts";
 import { helpSheet } from "./ui/help";
 import { listen, type Key } from "./ui/keys";
@@ -321,7 +322,7 @@ export class Page {
     const { run } = this;
     if (!this.scene) return;
     try {
-      const blob = await this.scene.png();
+      const blob = await this.scene.png(captionOf(run, this.settings.dark.value));
       const name = `${run.name.replace(/[^\w.-]+/g, "-")}-${run.time.value.toFixed(2)}s.png`;
       const address = URL.createObjectURL(blob);
       h("a", { href: address, download: name }).click();

@@ -8,8 +8,9 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { sources } from "./sources.mjs";
 
-const { axis, decode, place, format, series, replay, live, keys, run } = await sources({
+const { axis, caption, decode, place, format, series, replay, live, keys, run } = await sources({
   axis: "core/axis.ts",
+  caption: "ui/caption.ts",
   decode: "decode.ts",
   place: "core/place.ts",
   format: "core/format.ts",
@@ -418,6 +419,35 @@ test("a vehicle that stands is told of again and again, and is news once", () =>
   assert.equal(news, 1);
   run.hear({ ...details(), t: 5 });
   assert.equal(news, 2);
+});
+
+test("a saved picture says the run, its seed, the time, and what colours, lines and arrows mean", () => {
+  const is = (value) => ({ value });
+  const shown = {
+    name: "meadow",
+    hello: { seed: "6", vehicles: { kinds: ["bee", "bee", "hive"] } },
+    time: is(83.456),
+    legend: is({ title: "kind", unit: "", low: 0, high: 0, stops: [], names: [["bee", "#ffb000"], ["hive", "#3da5ff"]] }),
+    colour: is({ by: "kind", name: "" }),
+    layers: is({ links: true, wind: true }),
+    links: is([]),
+    wind: is([]),
+  };
+  const kinds = [{ dot: "#ffb000", text: "bee", end: "2" }, { dot: "#3da5ff", text: "hive", end: "1" }];
+  assert.deepEqual(caption.captionOf(shown, false), { title: "meadow · seed 6 · 83.46\u00a0s", rows: kinds });
+  shown.links = is([[0, 1, -60, 1]]);
+  shown.wind = is([[0, 0, 0, 3, 4, 0], [1, 0, 0, 1, 0, 0]]);
+  const { rows } = caption.captionOf(shown, false);
+  assert.deepEqual([rows[2].low, rows[2].of, rows[2].high], ["−95", "radio links", "−45\u00a0dBm"]);
+  assert.equal(rows[3].text, "wind: longest arrow 5\u00a0m/s");
+  // What is not drawn is not explained.
+  shown.layers = is({ links: false, wind: false });
+  assert.deepEqual(caption.captionOf(shown, false).rows, kinds);
+  shown.colour = is({ by: "value", name: "neighbors" });
+  shown.legend = is({ title: "neighbors", unit: "1", low: 0, high: 12, stops: ["#440154", "#fde725"] });
+  const [ramp, none] = caption.captionOf(shown, true).rows;
+  assert.deepEqual(ramp, { ramp: ["#440154", "#fde725"], low: "0.0", of: "neighbors", high: "12.0" });
+  assert.equal(none.text, "no value");
 });
 
 test("keys have the names of the help sheet", () => {

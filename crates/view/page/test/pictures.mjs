@@ -51,6 +51,24 @@ export async function difference(page, a, b) {
   }
 }
 
+/** The pixels of a PNG: red, green, blue, opacity each. */
+export async function pixels(page, png) {
+  const { width, height, data } = await page.evaluate(async (text) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${text}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const c = canvas.getContext("2d");
+    c.drawImage(image, 0, 0);
+    const { data } = c.getImageData(0, 0, image.width, image.height);
+    let bytes = "";
+    for (const byte of data) bytes += String.fromCharCode(byte);
+    return { width: image.width, height: image.height, data: btoa(bytes) };
+  }, png.toString("base64"));
+  return { width, height, data: Buffer.from(data, "base64") };
+}
+
 /** Runs in the browser. */
 async function measure({ a, b, block, most }) {
   const pixels = async (text) => {

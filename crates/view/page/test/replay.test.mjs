@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { compare, difference, kept, verdict } from "./pictures.mjs";
+import { compare, difference, kept, pixels, verdict } from "./pictures.mjs";
 import { execute, launch, open, place, rest, said, save, saved, scenario, serve, time, until, untilTime } from "./browser.mjs";
 
 let browser, folder, run, page;
@@ -265,6 +265,32 @@ test("a picture is saved as PNG", async () => {
   const bytes = readFileSync(await download.path());
   assert.deepEqual([...bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
   assert.ok(bytes.length > 2000, String(bytes.length));
+});
+
+test("a saved picture says what its colours mean, and what is looked at is in its middle", async () => {
+  // From the top what is followed is where it looks; the panel on the left does not count.
+  const other = await open(browser, `${run.url}#t=10&select=scout-3&follow=1&colour=battery&theme=light&layers=grid`);
+  await other.keyboard.press("t");
+  await rest(other);
+  const seen = await pixels(other, await saved(other));
+  const { width, height } = seen;
+  const found = (rgb, holds = () => true) => {
+    const list = [];
+    for (let at = 0; at < width * height; at += 1) {
+      const [x, y] = [at % width, Math.floor(at / width)];
+      if (holds(x, y) && rgb.every((value, k) => Math.abs(seen.data[4 * at + k] - value) < 8)) list.push([x, y]);
+    }
+    return list;
+  };
+  const mean = (list) => list.reduce((sum, [x]) => sum + x / list.length, 0);
+  // The ring around it.
+  const ring = found([0xd6, 0x00, 0x6c]);
+  assert.ok(ring.length > 20 && Math.abs(mean(ring) - width / 2) < 3, `the ring of ${ring.length} pixels is at ${mean(ring)} of ${width}`);
+  // The scale of charges in the lower left corner, from red to blue.
+  const corner = (x, y) => x < width / 3 && y > height / 2;
+  const [low, high] = [found([0xc1, 0x12, 0x1f], corner), found([0x1d, 0x6f, 0xb8], corner)];
+  assert.ok(low.length > 5 && high.length > 5 && mean(low) < mean(high), `${low.length} and ${high.length} pixels`);
+  await other.context().close();
 });
 
 test("buttons and boxes have names that can be read out", async () => {

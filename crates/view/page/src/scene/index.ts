@@ -3,9 +3,11 @@
 // `createScene(host, options)` of scene.ts makes one. The host is an element with a size and a `position` other than
 // `static`; two canvases fill it (the picture, and what is written over it). It throws if the browser has no WebGL 2.
 
+import type { Caption } from "./caption";
 import type { Details, Frame, Hello, Link, Packet } from "../wire";
 
 export { createScene } from "./scene";
+export type { Caption } from "./caption";
 
 /** `battery` and `value` are the colour values of the frames, `battery` from 0 to 1; `speed` is of their velocities. */
 export type ColourBy = "kind" | "battery" | "speed" | "value";
@@ -100,8 +102,8 @@ export interface SceneView {
    */
   addPackets(list: Packet[], speed: number): void;
   setWind(arrows: number[][]): void;
-  /** The picture as it is, PNG, with labels and without panels. */
-  png(): Promise<Blob>;
+  /** The picture as it is, PNG, with labels and what the caption says; what is looked at is in its middle, for it has no panels. */
+  png(caption: Caption): Promise<Blob>;
   /** So much of the picture is under a panel, from its left edge, CSS pixels: its middle is that of the rest. */
   setCovered(left_px: number): void;
   /** Called by itself when the host changes its size. */

@@ -1,6 +1,7 @@
 // What is written over the picture: names of vehicles, the ring around the selected one with its height, a scale.
 // A canvas above the one in three dimensions, so that a saved picture has it too.
 
+import { drawCaption, type Caption } from "./caption";
 import type { Frames } from "./frames";
 import { niceBelow, project } from "./math";
 
@@ -28,6 +29,8 @@ export interface OverlayInput {
   grid: boolean;
   /** The drawn radius of a vehicle at clip depth w, CSS pixels. */
   radius_px(i: number, w: number): number;
+  /** Of a picture that is saved. */
+  caption?: Caption;
 }
 
 export class Overlay {
@@ -67,6 +70,10 @@ export class Overlay {
     if (input.selected !== null) this.marker(c, input, input.selected, taken);
     if (input.labels) this.labels(c, input, taken);
     if (input.grid) this.scale(c, input);
+    if (input.caption) {
+      const faint = this.dark ? "#a9b4c0" : "#4c5865";
+      drawCaption(c, input.caption, input.width, input.height, { text: this.ink(), faint, paper: this.paper(0.82), family: FAMILY, size: this.size });
+    }
   }
 
   /** As large as the page's own text is. */

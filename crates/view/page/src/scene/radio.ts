@@ -1,5 +1,6 @@
 // Radio: links as lines that fade with their signal, packets as pulses from the sender to those who hear it.
 
+import { fixed } from "../core/format";
 import type { Link, Packet } from "../wire";
 import { SCALES, colourOf, table } from "./colours";
 import type { Frames } from "./frames";
@@ -23,6 +24,21 @@ const MOST_PULSES = 4096;
 const MOST_RECEIVERS = 40;
 /** In one go so many pulses begin. */
 const MOST_AT_ONCE = 700;
+
+/** The colours of links from the weakest signal to the strongest, as CSS, and which these are. */
+export function linkScale(dark: boolean): { stops: string[]; low: string; high: string } {
+  const colours = dark ? SCALES.signalDark : SCALES.signal;
+  const stops = colours.map((colour, at) => {
+    const [r, g, b] = colourOf(colour);
+    return `rgb(${r} ${g} ${b} / ${opacity(at / (colours.length - 1)).toFixed(2)})`;
+  });
+  return { stops, low: fixed(WEAK_DBM, 0), high: `${fixed(STRONG_DBM, 0)}\u00a0dBm` };
+}
+
+/** How opaque a link of this strength is, where there is none beside it and all frames arrive. */
+function opacity(strength: number): number {
+  return 0.16 + 0.84 * strength;
+}
 
 /** 0 (weak) to 1 (strong). */
 export function strength(rssi_dbm: number): number {
@@ -57,10 +73,10 @@ export class Radio {
     const crowd = clamp(1.2 - 0.15 * Math.log10(Math.max(shown.length, 1)), 0.3, 1);
     for (const link of shown) {
       const s = strength(link[2]);
-      const opacity = (0.16 + 0.84 * s) * (0.35 + 0.65 * clamp(link[3], 0, 1)) * crowd;
+      const opaque = opacity(s) * (0.35 + 0.65 * clamp(link[3], 0, 1)) * crowd;
       const at = 3 * Math.round(255 * s);
       for (let k = 0; k < 3; k++) this.rgba[k] = colours[at + k]!;
-      this.rgba[3] = Math.round(255 * opacity);
+      this.rgba[3] = Math.round(255 * opaque);
       this.links.add(link[0], link[1], this.rgba);
     }
     this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);

@@ -6,6 +6,7 @@ import type { CameraState, ColourBy, Layers, SceneOptions, SceneView, ViewName }
 import type { Details, Frame, Link, Packet } from "../wire";
 import { Beams } from "./beams";
 import { Orbit } from "./camera";
+import type { Caption } from "./caption";
 import { Frames } from "./frames";
 import { gridUniforms } from "./grid";
 import { Ground } from "./ground";
@@ -277,12 +278,16 @@ class Scene implements SceneView {
     this.changed();
   }
 
-  png(): Promise<Blob> {
+  png(caption: Caption): Promise<Blob> {
     const { clientWidth: w, clientHeight: h } = this.host;
+    // No panel is on it.
+    const { covered_px } = this.orbit;
+    this.orbit.covered_px = 0;
     this.pace.begin("finest");
     this.overlay.resize(w, h, this.pace.ratio);
-    this.draw(performance.now());
+    this.draw(performance.now(), caption);
     this.pace.end();
+    this.orbit.covered_px = covered_px;
     const from = this.renderer.domElement;
     const canvas = document.createElement("canvas");
     canvas.width = from.width;
@@ -377,7 +382,7 @@ class Scene implements SceneView {
     });
   }
 
-  private draw(now: number): void {
+  private draw(now: number, caption?: Caption): void {
     this.lastDraw = now;
     const { orbit, shared } = this;
     const distance = orbit.distance();
@@ -399,10 +404,10 @@ class Scene implements SceneView {
     this.trails.update();
     if (this.layers.beams) this.beams.update();
     this.renderer.render(this.scene, camera);
-    this.drawOver();
+    this.drawOver(caption);
   }
 
-  private drawOver(): void {
+  private drawOver(caption?: Caption): void {
     this.overlay.draw({
       view: this.view.elements,
       width: this.host.clientWidth,
@@ -416,6 +421,7 @@ class Scene implements SceneView {
       flat: this.orbit.isFlat(),
       grid: this.layers.grid,
       radius_px: this.radiusOf,
+      ...(caption ? { caption } : {}),
     });
   }
 

@@ -1,6 +1,7 @@
 // The moving air: an arrow at each place it is known, its length by the speed.
 
 import * as THREE from "three";
+import { number } from "../core/format";
 import { fromX, length } from "./math";
 import { LIGHT, type Shared } from "./light";
 import type { Vec3 } from "../wire";
@@ -53,11 +54,11 @@ export class Wind {
 
   /** Places and velocities of the air. The fastest arrow is as long as the arrows are apart. */
   set(arrows: number[][]): void {
-    const whole = arrows.filter((a) => a.length >= 6 && a.slice(0, 6).every(Number.isFinite)).slice(0, MOST);
-    const fastest = whole.reduce((m, a) => Math.max(m, length([a[3]!, a[4]!, a[5]!])), 0);
-    const apart = spacing(whole);
+    const list = arrows.filter(whole).slice(0, MOST);
+    const fastest = fastestOf(list);
+    const apart = spacing(list);
     let n = 0;
-    for (const a of whole) {
+    for (const a of list) {
       const v: Vec3 = [a[3]!, a[4]!, a[5]!];
       const speed = length(v);
       if (!(speed > fastest * 0.01)) continue;
@@ -75,6 +76,20 @@ export class Wind {
     this.mesh.material.dispose();
     this.mesh.dispose();
   }
+}
+
+/** The speed of the fastest arrow, in words; empty in still air. */
+export function longest(arrows: number[][]): string {
+  const fastest_m_s = fastestOf(arrows.filter(whole));
+  return fastest_m_s > 0 ? `${number(fastest_m_s, 2)}\u00a0m/s` : "";
+}
+
+function whole(arrow: number[]): boolean {
+  return arrow.length >= 6 && arrow.slice(0, 6).every(Number.isFinite);
+}
+
+function fastestOf(arrows: number[][]): number {
+  return arrows.reduce((most, a) => Math.max(most, length([a[3]!, a[4]!, a[5]!])), 0);
 }
 
 /** How far the arrows are apart, by the first and the one nearest to it, m; 5 if there is one only. */

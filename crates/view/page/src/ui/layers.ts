@@ -1,7 +1,8 @@
 // The panel on the left: what is drawn, by what it is coloured, and from where it is seen.
 
 import { button, h, say, show } from "../core/dom";
-import { count, fixed, number, unitWords, words } from "../core/format";
+import { unitWords, words } from "../core/format";
+import { endsOf, kindsOf } from "../core/legend";
 import { layerNames } from "../core/place";
 import { batteryName, type Run } from "../run";
 import { GREY, css } from "../scene/colours";
@@ -140,42 +141,25 @@ function legendBox(run: Run, list: (kind: string) => void): HTMLElement {
   return box;
 }
 
-/** Kinds that the legend names; a list of more helps nobody. */
-const MOST_NAMES = 12;
-
 function entries(run: Run, legend: Legend, list: (kind: string) => void): HTMLElement[] {
   if (legend.names) {
-    const counts = new Map<string, number>();
-    for (const kind of run.hello.vehicles.kinds) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-    const rows: HTMLElement[] = legend.names.slice(0, MOST_NAMES).map(([name, colour]) => {
+    const { list: kinds, more } = kindsOf(legend, run.hello.vehicles.kinds);
+    const rows: HTMLElement[] = kinds.map(({ name, colour, times }) => {
       const dot = h("span", { class: "dot" });
       dot.style.background = colour;
-      const times = counts.get(name);
-      return button(`List all of kind ${name}`, null, dot, () => list(name), { class: "entry" }, h("span", { class: "cut", text: name }), times !== undefined && h("span", { class: "faint end figure", text: count(times) }));
+      return button(`List all of kind ${name}`, null, dot, () => list(name), { class: "entry" }, h("span", { class: "whole", text: name }), h("span", { class: "faint end figure", text: times }));
     });
-    const rest = legend.names.length - MOST_NAMES;
-    if (rest > 0) rows.push(h("p", { class: "faint", text: `and ${rest} more` }));
+    if (more > 0) rows.push(h("p", { class: "faint", text: `and ${more} more` }));
     return rows;
   }
   const bar = h("div", { class: "ramp" });
   bar.style.background = `linear-gradient(to right, ${legend.stops.join(", ")})`;
-  const near = Math.max(Math.abs(legend.low), Math.abs(legend.high)) < 1000;
   const grey = h("span", { class: "dot" });
   grey.style.background = css(GREY);
-  const span = legend.high - legend.low;
-  // A charge is a share of the whole.
-  const share = run.colour.value.by === "battery";
-  const end = (value: number) => (share ? `${fixed(100 * value, 0)} %` : near && span > 0 ? fixed(value, Math.max(0, 2 - Math.floor(Math.log10(span)))) : number(value));
+  const { low, of, high } = endsOf(legend, run.colour.value.by);
   return [
     bar,
-    h(
-      "div",
-      { class: "ends" },
-      h("span", { text: end(legend.low) }),
-      h("span", { class: "faint cut", text: share ? "charge" : unitWords(legend.unit) }),
-      h("span", { text: end(legend.high) }),
-    ),
+    h("div", { class: "ends" }, h("span", { text: low }), h("span", { class: "faint cut", text: of }), h("span", { text: high })),
     ...(legend.title === "speed" ? [] : [h("div", { class: "entry" }, grey, h("span", { class: "faint", text: "no value" }))]),
   ];
 }
-
