@@ -8,10 +8,11 @@
 
 use crate::body::{BodyId, Contacts};
 use crate::contact::Contact;
+use crate::duties::duty;
 use crate::foresee::review_due;
 use crate::limits;
 use crate::motion::Motion;
-use crate::physics::{Physics, duty};
+use crate::physics::Physics;
 use crate::predict::Passage;
 use crate::queue::{Due, GROUND, Kind};
 use crate::response::{self, Impact, Spot};

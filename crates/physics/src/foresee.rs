@@ -4,8 +4,9 @@
 //! put into the queue in the order of the bodies, whoever found it: and the queue would sort it anyway.
 
 use crate::approach::Side;
+use crate::duties::duty;
 use crate::motion::Motion;
-use crate::physics::{Physics, duty};
+use crate::physics::Physics;
 use crate::predict::{self, Passage, Search};
 use crate::queue::{Due, GROUND, Kind};
 use crate::support::Support;

@@ -26,9 +26,10 @@
 
 use crate::body::Mobility;
 use crate::contact::Contact;
+use crate::duties::duty;
 use crate::island::{Sweep, World};
 use crate::motion::{Motion, seconds_between};
-use crate::physics::{Physics, duty};
+use crate::physics::Physics;
 use crate::queue::GROUND;
 use crate::rest::{self, Bearing, Rester};
 use crate::rotation;

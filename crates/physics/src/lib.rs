@@ -57,18 +57,21 @@
 //!
 //! 1. `motion`, `rotation`: the segment and its closed forms; `command`: what begins a new one;
 //!    `support`: the ground that carries a body;
-//! 2. `shape`, `body`, `kind`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is refused;
+//! 2. `shape`, `body`, `kind`, `config`, `contact`, `error`, [`limits`]: what goes in, what comes out, what is
+//!    refused;
 //! 3. `root`, `approach`, `predict`: when two segments meet; `response`: what an impact does;
-//! 4. `grid`, `lists`: who might meet whom; `tree`, `statics`, `walls`: what stands in the way;
+//! 4. `duties`: who may touch whom; `grid`, `lists`: who might meet whom soon; `tree`, `statics`, `walls`: what stands in the way;
 //!    `encounters`: the few pairs that must be remembered;
-//! 5. `island`, `islands`, `stepping`, `rest`: lasting contact;
+//! 5. `island`, `islands`, `stepping`, `settling`, `rest`: lasting contact;
 //! 6. `queue`, `foresee`, `events`, `physics`: all bodies, through time; `queries`: rays and neighbours, `fan`:
 //!    many rays at once.
 
 mod approach;
 mod body;
 mod command;
+mod config;
 mod contact;
+mod duties;
 mod encounters;
 mod error;
 mod events;
@@ -90,6 +93,7 @@ mod response;
 mod rest;
 mod root;
 mod rotation;
+mod settling;
 mod shape;
 mod sight;
 mod statics;
@@ -99,12 +103,13 @@ mod tree;
 mod walls;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
+pub use config::{Config, ContactModel};
 pub use contact::Contact;
 pub use error::{BodyError, ThreadsError};
 pub use fan::Fan;
 pub use kind::{Kind, Kinds};
 pub use motion::{Motion, State};
-pub use physics::{Config, ContactModel, Physics, Tally};
+pub use physics::{Physics, Tally};
 pub use queries::{Hit, Ray, Sees};
 pub use shape::{HeightField, Hull, MassProperties, Mesh, Part, Shape};
 pub use support::Support;

@@ -1,13 +1,14 @@
 //! The table of all bodies: what its users see of it. How it works through time is in `events`.
 
-use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility, group};
+use crate::body::{BodyId, BodySpec, Contacts, Material, Mobility};
+use crate::config::{Config, ContactModel};
 use crate::contact::Contact;
+use crate::duties::{Filter, duty};
 use crate::encounters::Encounters;
-use crate::error::{self, BodyError, ThreadsError};
+use crate::error::{BodyError, ThreadsError};
 use crate::foresee::Foreseen;
 use crate::islands::Islands;
 use crate::kind::Kind;
-use crate::limits;
 use crate::lists::Lists;
 use crate::motion::Motion;
 use crate::odometer::Odometer;
@@ -16,144 +17,12 @@ use crate::shape::Shape;
 use crate::shape::form::Form;
 use crate::statics::Statics;
 use crate::support::Support;
-use crate::tree::Bounds;
 use crate::walls::Walls;
 use glam::DVec3;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use simbeeotic_kernel::SimTime;
-use simbeeotic_units::{Acceleration, Time};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-
-/// What holds for the whole world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Config {
-    /// Free fall, downwards, 0 to 1e6 m/s^2; standard gravity unless said otherwise.
-    pub gravity: Acceleration,
-    /// The surface of the ground, the plane at up = 0; `None`: there is no ground.
-    pub ground: Option<Material>,
-    /// Time between two listings of who may meet whom, 1 ms to 1000 s. Changes the cost, never a result.
-    pub list_period: Time,
-    /// What becomes of bodies that stay in touch.
-    pub contact_model: ContactModel,
-    /// Time between two steps of bodies in lasting contact, 0.1 ms to 20 ms.
-    pub island_step: Time,
-    /// How often a step goes over the contacts of an island, 1 to 64: more for higher stacks, and for
-    /// heavy bodies upon light ones. The cost grows in proportion.
-    pub solver_iterations: usize,
-    /// Whether bodies that touch nobody are listed too, so that [`Physics::near`] is quick for them.
-    /// Costs one pass over all bodies each `list_period`.
-    pub list_all: bool,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self {
-            gravity: simbeeotic_units::constants::STANDARD_GRAVITY,
-            ground: Some(Material::default()),
-            list_period: Time::from_millis(100.0),
-            contact_model: ContactModel::default(),
-            island_step: Time::si(1.0 / 240.0),
-            solver_iterations: 4,
-            list_all: false,
-        }
-    }
-}
-
-/// What becomes of bodies that stay in touch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ContactModel {
-    /// They are handed to an island: a small world that is stepped, in which they slide, stack, push one
-    /// another and come to rest.
-    #[default]
-    Islands,
-    /// Balls bounce on in small impulses: cheaper for swarms whose bodies touch often and briefly, wrong
-    /// for balls that lie upon one another. Other shapes are handed to islands all the same: on corners
-    /// and edges there is no end of small impulses.
-    Impulses,
-}
-
-impl Config {
-    /// Whether a world can be like this.
-    ///
-    /// # Errors
-    /// A value that is not finite or out of its range.
-    pub fn check(&self) -> Result<(), BodyError> {
-        error::ranged(
-            "gravity [m/s^2]",
-            self.gravity.get(),
-            0.0,
-            limits::ACCELERATION_M_S2_MAX,
-        )?;
-        error::ranged("list_period [s]", self.list_period.get(), 1e-3, 1e3)?;
-        error::ranged("island_step [s]", self.island_step.get(), 1e-4, 2e-2)?;
-        error::ranged(
-            "solver_iterations",
-            self.solver_iterations as f64,
-            1.0,
-            64.0,
-        )?;
-        self.ground.as_ref().map_or(Ok(()), Material::check)
-    }
-}
-
-/// What has to be looked at when a body changes: bits of one byte.
-pub(crate) mod duty {
-    /// It may meet the ground.
-    pub(crate) const GROUND: u8 = 1;
-    /// It may meet another body.
-    pub(crate) const MEETS: u8 = 2;
-    /// It has a place in the lists.
-    pub(crate) const LISTED: u8 = 4;
-    /// It bounces.
-    pub(crate) const RESPONDS: u8 = 8;
-    /// It has changed, and its contacts are not predicted yet.
-    pub(crate) const DIRTY: u8 = 16;
-    /// It may meet something fixed.
-    pub(crate) const WALLS: u8 = 32;
-    /// It never moves.
-    pub(crate) const FIXED: u8 = 64;
-    /// It rolls on what it lies on.
-    pub(crate) const ROLLS: u8 = 128;
-    /// What stays as it is when it is worked out anew who may meet whom.
-    pub(crate) const OWN: u8 = RESPONDS | DIRTY | FIXED | ROLLS;
-}
-
-/// Whom a body may touch; all that two bodies ask of each other when they are listed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Filter {
-    group: u16,
-    mask: u16,
-    fixed: bool,
-    none: bool,
-}
-
-impl Filter {
-    fn new(spec: &BodySpec) -> Self {
-        Self {
-            group: spec.group,
-            mask: spec.mask,
-            fixed: spec.mobility == Mobility::Fixed,
-            none: spec.contacts == Contacts::None,
-        }
-    }
-
-    pub(crate) fn agrees(self, other: Self) -> bool {
-        self.group & other.mask != 0
-            && other.group & self.mask != 0
-            && !(self.fixed && other.fixed)
-            && !(self.none || other.none)
-    }
-
-    /// The groups it is in, and those it collides with.
-    pub(crate) fn groups(self) -> [u16; 2] {
-        [self.group, self.mask]
-    }
-
-    fn meets_ground(self) -> bool {
-        self.mask & group::TERRAIN != 0 && !self.fixed && !self.none
-    }
-}
 
 /// So many of the last outlines are compared with a new one: swarms are made body by body, worlds of
 /// many kinds of things are not worth a search.
@@ -549,81 +418,6 @@ impl Physics {
     /// The same on threads that are there already, as those of an engine.
     pub fn share_threads(&mut self, pool: Arc<ThreadPool>) {
         self.pool = Some(pool);
-    }
-
-    /// Works out which bodies can meet at all. Bodies of the same filter form a class.
-    pub(crate) fn classify(&mut self) {
-        let mut classes: Vec<(Filter, bool)> = Vec::new();
-        for filter in &self.filters {
-            match classes.iter_mut().find(|(class, _)| class == filter) {
-                Some((_, several)) => *several = true,
-                None => classes.push((*filter, false)),
-            }
-        }
-        let meets = |filter: Filter, fixed: bool| {
-            classes.iter().any(|(class, several)| {
-                class.fixed == fixed && filter.agrees(*class) && (*class != filter || *several)
-            })
-        };
-        let has_ground = self.ground.is_some();
-        let bit = |holds: bool, bit: u8| if holds { bit } else { 0 };
-        for list in [&mut self.unlisted, &mut self.movers, &mut self.listed] {
-            list.clear();
-        }
-        self.has_walls = false;
-        for (id, filter) in self.filters.iter().enumerate() {
-            let duty = &mut self.duties[id];
-            *duty &= duty::OWN;
-            if filter.fixed {
-                continue;
-            }
-            let (meets, walls) = (meets(*filter, false), meets(*filter, true));
-            *duty |= bit(has_ground && filter.meets_ground(), duty::GROUND)
-                | bit(meets, duty::MEETS)
-                | bit(walls, duty::WALLS)
-                | bit(meets || walls || self.list_all, duty::LISTED);
-            self.has_walls |= walls;
-            self.movers.push(id as u32);
-            if *duty & duty::LISTED == 0 {
-                self.unlisted.push(id as u32);
-            } else {
-                self.listed.push(id as u32);
-            }
-        }
-        self.walls.clear();
-        self.statics = Statics::new(self.fixed());
-        self.grown = false;
-    }
-
-    /// The fixed bodies and their bounds.
-    fn fixed(&self) -> impl Iterator<Item = (u32, Bounds)> {
-        let bodies = self.motions.iter().zip(0..);
-        bodies
-            .filter(|(motion, _)| motion.mobility == Mobility::Fixed)
-            .map(|(motion, id)| (id, self.form(id).bounds(motion.place(SimTime::ZERO))))
-    }
-
-    /// Whether anything about a body has to be foreseen.
-    pub(crate) fn watches(&self, id: u32) -> bool {
-        self.duties[id as usize] & (duty::GROUND | duty::LISTED) != 0
-    }
-
-    /// What happens if two bodies meet, or a body and the ground.
-    pub(crate) fn contact_of(&self, a: u32, b: u32) -> Contacts {
-        let inverse_mass = |id: u32| self.motions[id as usize].inverse_mass;
-        let (both, movable) = if b == GROUND {
-            (self.duties[a as usize], inverse_mass(a) > 0.0)
-        } else {
-            (
-                self.duties[a as usize] & self.duties[b as usize],
-                inverse_mass(a) + inverse_mass(b) > 0.0,
-            )
-        };
-        if both & duty::RESPONDS != 0 && movable {
-            Contacts::Respond
-        } else {
-            Contacts::Detect
-        }
     }
 
     /// Resolves everything that is due up to and including `now`; appends the contacts to `contacts`, in

@@ -4,8 +4,9 @@
 //! time, and are counted.
 
 use crate::body::{BodyId, BodySpec, Material, Mobility};
+use crate::config::Config;
 use crate::motion::Motion;
-use crate::physics::{Config, Physics};
+use crate::physics::Physics;
 use crate::shape::{Part, Shape};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;

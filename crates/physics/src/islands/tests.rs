@@ -6,9 +6,10 @@
 )]
 
 use crate::body::{BodyId, BodySpec, Material, Mobility};
+use crate::config::Config;
 use crate::contact::Contact;
 use crate::motion::Motion;
-use crate::physics::{Config, Physics};
+use crate::physics::Physics;
 use crate::queue::GROUND;
 use crate::shape::Shape;
 use crate::support::Support;

@@ -18,6 +18,7 @@ mod queries;
 mod refusal;
 mod rest;
 mod rotation;
+mod searches;
 mod shapes;
 mod slide;
 mod time_of_impact;
