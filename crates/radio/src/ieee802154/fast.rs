@@ -10,14 +10,17 @@
 //! powers rounded to multiples of 2^-50 mW (-150 dBm): such sums are exact up to 8 mW, so that nothing
 //! remains of a frame that is gone, however strong, and the order of frames does not matter.
 //!
-//! The logarithm of a bit's chance comes from a table with straight lines between its steps.
+//! The logarithm of a bit's chance comes from a `table` with straight lines between its steps. Who came through
+//! is decided block by block, in a `room` of columns.
+
+mod room;
+mod table;
 
 use super::Quirks;
 use super::air::{Air, Modulation, OnAir, Receiver, Reception, Taking, Tally};
-use crate::fast::exp2;
 use crate::scratch::ROW;
-use simbeeotic_kernel::rng::draw_u32;
-use simbeeotic_units::math;
+use room::{Room, chance, luck_24};
+use table::Table;
 
 /// The air in columns.
 #[derive(Debug)]
@@ -566,110 +569,6 @@ impl Air for FastAir {
     }
 }
 
-/// Working memory for a block of rows: columns of those that were taking in the frame that ends.
-struct Room {
-    /// Their rows, counted from the block's first.
-    mine: [u16; ROW],
-    own: [f32; ROW],
-    noise: [f32; ROW],
-    salts: [u32; ROW],
-    others: [f32; ROW],
-    /// What they are worth as noise.
-    harms: [f32; ROW],
-    /// The length of their last interval.
-    ns: [f32; ROW],
-    steps: [u32; ROW],
-    rests: [f32; ROW],
-    /// At first that of what is over of the frame, then of all.
-    ln_success: [f32; ROW],
-    /// Luck over chance: below 0 for those that the frame came through to.
-    over: [f32; ROW],
-    lucky: [u16; ROW],
-    lost: [u16; ROW],
-}
-
-impl Default for Room {
-    fn default() -> Self {
-        Self {
-            mine: [0; ROW],
-            own: [0.0; ROW],
-            noise: [0.0; ROW],
-            salts: [0; ROW],
-            others: [0.0; ROW],
-            harms: [0.0; ROW],
-            ns: [0.0; ROW],
-            steps: [0; ROW],
-            rests: [0.0; ROW],
-            ln_success: [0.0; ROW],
-            over: [0.0; ROW],
-            lucky: [0; ROW],
-            lost: [0; ROW],
-        }
-    }
-}
-
-impl Room {
-    /// Lists the rows that are taking in frame `id`: how many.
-    #[inline(always)]
-    fn list(&mut self, locks: &[u32], id: u32) -> usize {
-        let mut count = 0;
-        for (j, &lock) in (0u16..).zip(locks) {
-            // Written every time, kept only where it holds: no branch to be mispredicted.
-            self.mine[count % ROW] = j;
-            count += usize::from(lock == id);
-        }
-        count
-    }
-
-    /// Chance and luck of the first `m`.
-    #[inline(always)]
-    fn reckon(&mut self, table: &Table, quirks: Quirks, key: u64, m: usize) {
-        let m = m.min(ROW);
-        let (own, noise, harms) = (&self.own[..m], &self.noise[..m], &self.harms[..m]);
-        let (steps, rests) = (&mut self.steps[..m], &mut self.rests[..m]);
-        for k in 0..m {
-            (steps[k], rests[k]) = table.place(own[k] / (noise[k] + harms[k]));
-        }
-        let (ln_success, ns) = (&mut self.ln_success[..m], &self.ns[..m]);
-        for k in 0..m {
-            ln_success[k] += table.bits(ns[k], quirks) * table.between(steps[k], rests[k]);
-        }
-        let (over, salts) = (&mut self.over[..m], &self.salts[..m]);
-        for k in 0..m {
-            over[k] = luck_24(key, salts[k]);
-        }
-        for k in 0..m {
-            over[k] -= chance(ln_success[k]);
-        }
-    }
-
-    /// Sorts the first `m` into lucky and lost: how many of each.
-    #[inline(always)]
-    fn sort(&mut self, m: usize) -> (usize, usize) {
-        let (mut lucky, mut lost) = (0, 0);
-        for (k, &over) in (0u16..).zip(&self.over[..m]) {
-            self.lucky[lucky % ROW] = k;
-            self.lost[lost % ROW] = k;
-            lucky += usize::from(over < 0.0);
-            lost += usize::from(over >= 0.0);
-        }
-        (lucky, lost)
-    }
-}
-
-/// The luck of a frame at a receiver, to 24 bits: 0 or more, less than 1.
-#[inline(always)]
-fn luck_24(key: u64, salt: u32) -> f32 {
-    (draw_u32(key, salt) >> 8) as i32 as f32 * (1.0 / 16_777_216.0)
-}
-
-/// The chance with this logarithm; exactly 1 for 0, and 0 far below.
-#[inline(always)]
-fn chance(ln_success: f32) -> f32 {
-    let chance = exp2(ln_success * std::f32::consts::LOG2_E);
-    if ln_success > -30.0 { chance } else { 0.0 }
-}
-
 /// The nearest multiple of 2^-50 mW, up to 2 mW; above, of what an f64 holds beside 6.
 #[inline(always)]
 fn rounded(power_mw: f32) -> f64 {
@@ -677,131 +576,9 @@ fn rounded(power_mw: f32) -> f64 {
     (f64::from(power_mw) + ANCHOR_MW) - ANCHOR_MW
 }
 
-/// The logarithm of the chance of one bit, over the linear SINR.
-///
-/// Steps are told by the top bits of `SINR + offset`, with an offset a few times smaller than the
-/// ratios where bits begin to survive: so steps are even below, and 256 an octave above. The table ends
-/// where no bit is lost any more. All that is looked up lies in some 10 KiB.
-#[derive(Debug)]
-struct Table {
-    ns_per_bit: f32,
-    /// A power of two.
-    offset: f32,
-    /// The last ratio, offset included.
-    most: f32,
-    /// Value at the start of each step, and what it grows by over the step.
-    steps: Vec<[f32; 2]>,
-}
-
-const STEP_BITS: u32 = 8;
-const REST_BITS: u32 = f32::MANTISSA_DIGITS - 1 - STEP_BITS;
-
-/// No table is longer than so many octaves.
-const OCTAVES_MAX: usize = 24;
-
-/// Fewer errors than this in a bit are none in any frame.
-const NO_ERROR: f64 = 1e-19;
-
-impl Table {
-    fn new(modulation: &Modulation) -> Self {
-        let errors = modulation.errors.as_ref();
-        // The octave in which one bit of a thousand is lost.
-        let octave = (-40..40).find(|&octave| errors.bit_error(two_to(octave)) < 1e-3);
-        let offset = two_to(octave.unwrap_or(0) - 3);
-        let first = (offset as f32).to_bits() >> REST_BITS;
-        let at = |step: u32| f64::from(f32::from_bits((first + step) << REST_BITS)) - offset;
-        let ln_bit = |sinr: f64| {
-            let error = errors.bit_error(sinr).min(1.0 - 1e-9);
-            if error < NO_ERROR {
-                0.0
-            } else {
-                math::ln_1p(-error)
-            }
-        };
-        let mut steps = Vec::new();
-        for step in 0..(OCTAVES_MAX << STEP_BITS) as u32 {
-            let (from, to) = (ln_bit(at(step)), ln_bit(at(step + 1)));
-            steps.push([from as f32, (to - from) as f32]);
-            if from == 0.0 {
-                break;
-            }
-        }
-        let last = (first + steps.len() as u32) << REST_BITS;
-        Self {
-            ns_per_bit: modulation.ns_per_bit as f32,
-            offset: offset as f32,
-            most: f32::from_bits(last - 1),
-            steps,
-        }
-    }
-
-    #[inline(always)]
-    fn bits(&self, ns: f32, quirks: Quirks) -> f32 {
-        let bits = ns / self.ns_per_bit;
-        if quirks == Quirks::Ns3 {
-            // `ceil` would be a call.
-            let whole = bits as i32 as f32;
-            whole + f32::from(u8::from(whole < bits))
-        } else {
-            bits
-        }
-    }
-
-    /// The step of a ratio (0 or more), and how far into it, 0 to 1.
-    #[inline(always)]
-    fn place(&self, sinr: f32) -> (u32, f32) {
-        let shifted = sinr + self.offset;
-        let held = if shifted < self.most {
-            shifted
-        } else {
-            self.most
-        };
-        let bits = held.to_bits().wrapping_sub(self.offset.to_bits());
-        let rest = (bits & ((1 << REST_BITS) - 1)) as i32 as f32;
-        (bits >> REST_BITS, rest * (1.0 / (1 << REST_BITS) as f32))
-    }
-
-    #[inline(always)]
-    fn between(&self, step: u32, rest: f32) -> f32 {
-        let [from, by] = self.steps[step as usize];
-        from + rest * by
-    }
-
-    #[inline(always)]
-    fn ln_bit(&self, sinr: f32) -> f32 {
-        let (step, rest) = self.place(sinr);
-        self.between(step, rest)
-    }
-}
-
-/// `2^exponent`, exactly.
-fn two_to(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::phy::{BitErrors, OqpskDsss};
-    use std::sync::Arc;
-
-    #[test]
-    fn the_table_keeps_to_the_formula() {
-        let modulation = Modulation {
-            errors: Arc::new(OqpskDsss),
-            ns_per_bit: 4000.0,
-        };
-        let table = Table::new(&modulation);
-        for i in 0..6000 {
-            let sinr = math::pow(10.0, (f64::from(i) * 0.01 - 30.0) / 10.0);
-            for bits in [1.0, 64.0, 1064.0] {
-                let exact = OqpskDsss.success(sinr, bits);
-                let ln_success = bits * f64::from(table.ln_bit(sinr as f32));
-                let error = (math::exp(ln_success) - exact).abs();
-                assert!(error < 6e-5, "{sinr} {bits}: off by {error}");
-            }
-        }
-    }
+    use super::rounded;
 
     #[test]
     fn nothing_remains_of_a_strong_frame_that_is_gone() {
