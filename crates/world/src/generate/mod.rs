@@ -32,7 +32,6 @@ mod distance;
 mod draft;
 mod fingerprint;
 pub mod forest;
-mod furniture;
 pub mod maze;
 pub mod mine;
 pub mod office;

@@ -13,15 +13,20 @@
 //! slab has an opening, so that a vehicle changes floors. Each room has a door to its corridor, and
 //! some have one to the room west of them. Furniture stays below head height and out of the way.
 
+mod furniture;
+mod room;
+#[cfg(test)]
+mod tests;
+
 use super::check::{GenerateError, at_least, metres, not_too_many, share, within};
 use super::draft::{Draft, Finish, Line, Opening, Rect};
-use super::furniture::furnish;
 use crate::look::{Color, Meta};
 use crate::world::World;
+use furniture::furnish;
 use glam::{DVec2, DVec3};
+use room::{Room, row};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use simbeeotic_kernel::rng::Stream;
 use simbeeotic_units::Length;
 
 /// Parameters of [`office`].
@@ -171,7 +176,7 @@ impl OfficeParams {
 }
 
 /// Furniture is lower than this.
-pub(super) const HEAD_M: f64 = 1.95;
+const HEAD_M: f64 = 1.95;
 /// Of wall beside a door.
 const JAMB_M: f64 = 0.1;
 const SILL_M: f64 = 0.9;
@@ -180,54 +185,6 @@ const WINDOW_M: [f64; 2] = [1.6, 1.3];
 const OUTER: Color = Color::rgb(176, 110, 84);
 const CORRIDOR: Color = Color::rgb(236, 230, 214);
 const INNER: Color = Color::rgb(222, 226, 230);
-
-/// One room.
-pub(super) struct Room {
-    pub(super) floor: usize,
-    /// Its number: `2.14` is room 14 of floor 2.
-    pub(super) number: String,
-    /// From the middle of its walls to the middle of its walls.
-    pub(super) rect: Rect,
-    pub(super) foot: f64,
-    /// Whether the corridor is in its north.
-    pub(super) corridor_north: bool,
-    /// Where its door is: from this x on.
-    pub(super) door: f64,
-    /// Whether it has a door to the room west of it.
-    pub(super) west_door: bool,
-    /// Whether the room east of it has a door to it.
-    pub(super) east_door: bool,
-    /// Whether its wall opposite the corridor is an outer one.
-    pub(super) outer: bool,
-}
-
-impl Room {
-    pub(super) fn meta(&self) -> Meta {
-        Meta::from([
-            ("floor".to_owned(), self.floor.to_string()),
-            ("room".to_owned(), self.number.clone()),
-        ])
-    }
-
-    /// The stream of this room for a purpose.
-    pub(super) fn chance(&self, seed: i64, purpose: &str) -> Stream {
-        let path = format!("office/{}", self.number);
-        Stream::new(seed.cast_unsigned(), &path, purpose)
-    }
-
-    fn finish(&self, material: &'static str, color: Color) -> Finish {
-        Finish {
-            meta: self.meta(),
-            ..Finish::new(material, color, "")
-        }
-    }
-
-    /// At the height that a vehicle is told to go to.
-    fn place(&self, p: &OfficeParams) -> DVec3 {
-        let clear = 0.5 * (HEAD_M + p.storey_height.get());
-        self.rect.middle().extend(self.foot + clear)
-    }
-}
 
 /// An office building around the origin, its lowest floor on the ground.
 ///
@@ -516,280 +473,5 @@ impl<'p> Building<'p> {
             radius,
             room.meta(),
         );
-    }
-}
-
-/// The rooms on one side of one corridor.
-fn row(p: &OfficeParams, rect: Rect, [floor, wing]: [usize; 2], north: bool, all: &mut Vec<Room>) {
-    let side = if north { "north" } else { "south" };
-    let path = format!("office/floor-{floor}/corridor-{wing}-{side}");
-    let mut chance = Stream::new(p.seed.cast_unsigned(), &path, "widths");
-    let mut share = || 1.0 + p.room_variation * (2.0 * chance.uniform() - 1.0);
-    let shares: Vec<f64> = (0..p.rooms).map(|_| share()).collect();
-    let unit = f64::from(p.rooms) * p.room_width.get() / shares.iter().sum::<f64>();
-    let wing_width = rect.size().y / f64::from(p.corridors);
-    let south = rect.low.y + wing as f64 * wing_width;
-    let depth = p.room_depth.get() + 0.5 * p.wall_thickness.get();
-    let last_wing = wing + 1 == p.corridors as usize;
-    let y = match (north, last_wing) {
-        (false, _) => [south, south + depth],
-        (true, true) => [south + wing_width - depth, rect.high.y],
-        (true, false) => [south + wing_width - depth, south + wing_width],
-    };
-    let lobby = rect.low.x + p.lobby_width.get();
-    let before = 2 * p.rooms as usize * wing + if north { p.rooms as usize } else { 0 };
-    let per_floor = 2 * p.rooms as usize * p.corridors as usize;
-    let digits = per_floor.to_string().len().max(2);
-    let start = all.len();
-    let mut x = lobby;
-    for (at, share) in shares.iter().enumerate() {
-        let last = at + 1 == shares.len();
-        let end = if last { rect.high.x } else { x + unit * share };
-        let mut room = Room {
-            floor,
-            number: format!("{floor}.{:0digits$}", before + at + 1),
-            rect: Rect::new([x, end], y),
-            foot: floor as f64 * (p.storey_height + p.slab_thickness).get(),
-            corridor_north: !north,
-            door: 0.0,
-            west_door: false,
-            east_door: false,
-            outer: if north { last_wing } else { wing == 0 },
-        };
-        let margin = 0.5 * p.wall_thickness.get() + JAMB_M;
-        let room_for_door = end - x - 2.0 * margin - p.door_width.get();
-        let mut chance = room.chance(p.seed, "door");
-        room.door = x + margin + room_for_door.max(0.0) * chance.uniform();
-        let mut chance = room.chance(p.seed, "extra door");
-        room.west_door = at > 0 && chance.bernoulli(p.extra_doors);
-        if room.west_door
-            && let Some(west) = all[start..].last_mut()
-        {
-            west.east_door = true;
-        }
-        all.push(room);
-        x = end;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::generate::{Search, fingerprint};
-    use crate::structure::StructureShape;
-    use simbeeotic_units::Position;
-
-    fn m(metres: f64) -> Length {
-        Length::si(metres)
-    }
-
-    fn small(seed: i64) -> OfficeParams {
-        OfficeParams {
-            seed,
-            rooms: 2,
-            room_width: m(3.0),
-            room_depth: m(3.5),
-            clearance: m(0.8),
-            roof: true,
-            ..OfficeParams::default()
-        }
-    }
-
-    /// Names of rooms and lobbies that a vehicle does not reach from before the entrance.
-    fn missed(params: &OfficeParams, world: &World) -> Vec<String> {
-        let cell = 0.125 * params.clearance.get();
-        let search = Search {
-            vehicle_radius: m(0.5 * params.clearance.get() - 1.4 * cell),
-            cell: m(cell),
-            within: None,
-            seed: 0,
-        };
-        let rect = Building::new(params).around();
-        let start = Position::from_xyz(rect.low.x - 0.6, rect.middle().y, 1.0);
-        let reach = search.run(world, start).expect("it starts outside");
-        let places = world.places.iter();
-        let missed = places.filter(|place| !reach.contains(place.position));
-        missed.map(|place| place.name.clone()).collect()
-    }
-
-    #[test]
-    fn every_room_of_every_floor_is_reached_from_the_street() {
-        let none: [&str; 0] = [];
-        for seed in 0..4 {
-            let params = small(seed);
-            let world = office(&params).expect("it can be");
-            assert!(world.check().is_empty(), "{:?}", world.check());
-            assert_eq!(missed(&params, &world), none, "seed {seed}");
-        }
-        let two_corridors = OfficeParams {
-            corridors: 2,
-            floors: 1,
-            rooms: 3,
-            ..small(9)
-        };
-        let world = office(&two_corridors).expect("it can be");
-        assert_eq!(world.places.len(), 12 + 1 + 1);
-        assert_eq!(missed(&two_corridors, &world), none);
-        let narrow = OfficeParams {
-            floors: 3,
-            rooms: 1,
-            room_variation: 0.0,
-            shaft: m(0.8),
-            door_width: m(0.8),
-            ..small(2)
-        };
-        assert_eq!(missed(&narrow, &office(&narrow).expect("it can be")), none);
-    }
-
-    /// Negative control: one closed door is found.
-    #[test]
-    fn a_room_whose_doors_are_closed_is_missed_and_no_other() {
-        let params = OfficeParams {
-            extra_doors: 0.0,
-            ..small(1)
-        };
-        let mut world = office(&params).expect("it can be");
-        let closed = world.structures.iter_mut().find_map(|s| {
-            let of_room = s.meta.get("room").is_some_and(|room| room == "1.03");
-            match &mut s.shape {
-                StructureShape::Wall(wall) if of_room && !wall.doors.is_empty() => {
-                    wall.doors.clear();
-                    Some(())
-                }
-                _ => None,
-            }
-        });
-        assert!(closed.is_some());
-        assert_eq!(missed(&params, &world), ["room 1.03"]);
-    }
-
-    #[test]
-    fn every_room_has_a_door_and_each_outer_one_a_window_with_a_pane() {
-        let world = office(&OfficeParams::default()).expect("it can be");
-        let rooms: Vec<&str> = world
-            .places
-            .iter()
-            .filter_map(|place| place.name.strip_prefix("room "))
-            .collect();
-        assert_eq!(rooms.len(), 20);
-        assert_eq!((rooms[0], rooms[19]), ("0.01", "1.10"));
-        for room in rooms {
-            let of_room = world
-                .structures
-                .iter()
-                .filter(|s| s.meta.get("room").is_some_and(|r| r == room));
-            let doors = of_room.clone().filter(
-                |s| matches!(&s.shape, StructureShape::Wall(wall) if !wall.doors.is_empty()),
-            );
-            assert!(doors.count() >= 1, "{room}");
-            assert_eq!(of_room.filter(|s| s.label == "pane").count(), 1, "{room}");
-        }
-    }
-
-    #[test]
-    fn windows_do_not_move_the_furniture_and_floors_not_each_other() {
-        let world = |change: fn(&mut OfficeParams)| {
-            let mut params = OfficeParams::default();
-            change(&mut params);
-            office(&params).expect("it can be")
-        };
-        let usual = world(|_| ());
-        assert!(usual.obstacles.len() > 40, "{}", usual.obstacles.len());
-        assert_eq!(world(|p| p.windows = false).obstacles, usual.obstacles);
-        let three = world(|p| p.floors = 3);
-        assert_eq!(three.obstacles[..usual.obstacles.len()], usual.obstacles);
-        assert_ne!(world(|p| p.seed = 2).obstacles, usual.obstacles);
-        assert!(world(|p| p.furniture = 0.0).obstacles.is_empty());
-    }
-
-    #[test]
-    fn an_office_stays_what_it_is() {
-        let other = OfficeParams {
-            seed: 4,
-            corridors: 2,
-            glass: false,
-            ..OfficeParams::default()
-        };
-        let found =
-            [OfficeParams::default(), other].map(|p| fingerprint(&office(&p).expect("it can be")));
-        assert_eq!(found, GOLDEN, "{found:#018x?}");
-    }
-    const GOLDEN: [u64; 2] = [0x514f_812d_12ae_972c, 0x42c3_4229_a550_4f3c];
-
-    #[test]
-    fn nonsense_is_refused_with_what_is_allowed() {
-        let with = |change: fn(&mut OfficeParams)| {
-            let mut params = OfficeParams::default();
-            change(&mut params);
-            office(&params).expect_err("nonsense").to_string()
-        };
-        for (message, words) in [
-            (
-                with(|p| p.floors = 0),
-                "`floors` must lie between 1 and 100",
-            ),
-            (
-                with(|p| p.corridors = 51),
-                "`corridors` must lie between 1 and 50",
-            ),
-            (with(|p| p.rooms = 0), "`rooms` must lie between 1 and 200"),
-            (
-                with(|p| (p.floors, p.corridors, p.rooms) = (100, 50, 200)),
-                "at most 1000000",
-            ),
-            (
-                with(|p| p.room_width = m(1.0)),
-                "`room_width` must lie between",
-            ),
-            (
-                with(|p| p.room_width = m(1.6)),
-                "the narrowest room has to have its door",
-            ),
-            (
-                with(|p| p.room_depth = m(f64::NAN)),
-                "`room_depth` must lie between",
-            ),
-            (with(|p| p.room_variation = 0.6), "between 0 and 0.5"),
-            (
-                with(|p| p.corridor_width = m(0.5)),
-                "a vehicle of 0.6 m has to pass",
-            ),
-            (
-                with(|p| p.lobby_width = m(2.5)),
-                "the opening between floors",
-            ),
-            (with(|p| p.storey_height = m(2.3)), "over the furniture"),
-            (
-                with(|p| p.door_height = m(3.5)),
-                "doors end below the ceiling",
-            ),
-            (
-                with(|p| p.door_width = m(0.5)),
-                "`door_width` must be at least 0.600 m",
-            ),
-            (
-                with(|p| p.extra_doors = -0.1),
-                "`extra_doors` must lie between 0 and 1",
-            ),
-            (
-                with(|p| p.furniture = 2.0),
-                "`furniture` must lie between 0 and 1",
-            ),
-            (with(|p| p.shaft = m(0.5)), "`shaft` must be at least"),
-            (
-                with(|p| p.clearance = m(0.0)),
-                "`clearance` must lie between",
-            ),
-            (
-                with(|p| p.wall_thickness = m(0.0)),
-                "`wall_thickness` must lie between",
-            ),
-            (
-                with(|p| p.slab_thickness = m(9.0)),
-                "`slab_thickness` must lie between",
-            ),
-        ] {
-            assert!(message.contains(words), "{message}");
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! What stands in the rooms of an office: desks, chairs, tables, shelves, plants, each of a few
 //! boxes, cylinders and balls.
 
-use super::draft::{Draft, Finish, block, cylinder, part};
-use super::office::{OfficeParams, Room};
+use super::OfficeParams;
+use super::room::Room;
+use crate::generate::draft::{Draft, Finish, block, cylinder, part};
 use crate::look::Color;
 use crate::obstacle::{ObstaclePart, ObstacleShape};
 use glam::{DVec2, DVec3};
