@@ -1,18 +1,27 @@
 //! The gallery of the book: the page, plots, the paper's figures, worlds, sensors; all pictures and the page that
 //! shows them, from one list.
+//!
+//! Each picture is a piece of work by itself: one that fails is told with its reason, and all others are made. What is
+//! left of a gallery that was broken off, or had failures, is made by `cargo xtask gallery rest`.
 
-use std::fmt::Write as _;
+mod list;
+mod page;
+mod work;
+
+use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
-use toml::{Table, Value};
+use anyhow::{Context, Result, bail, ensure};
+use toml::Table;
 
-use crate::plots::Plots;
+use crate::plots::{Plots, small};
 use crate::program::{Profile, Program};
 use crate::repo::Repo;
 use crate::report::Report;
-use crate::{figure, page};
+use crate::{figure, page as browser};
+use list::{Picture, Section, Source, sections};
+use work::Work;
 
 /// What is drawn.
 const LIST: &str = "docs/book/gallery.toml";
@@ -22,71 +31,62 @@ const PAGE: &str = "docs/book/src/gallery.md";
 const IMAGES: &str = "docs/images/gallery";
 /// The folder of the paper's figures.
 const FIGURES: &str = "docs/images/figures";
-/// A picture that is larger than this does not belong in a repository.
+/// A picture of a world, and one made by commands, that is larger than this does not belong in a repository.
 const BYTES_MAX: u64 = 80 * 1024;
+const BYTES_MADE: u64 = 300 * 1024;
 /// The size of a picture.
 const SIZE: &str = "450x300";
+/// What stands for all that is left of an earlier gallery.
+const REST: &str = "rest";
+
+/// Draws what sensors read: all of [`Source::Plot`].
+const PLOTS: [&str; 6] = [
+    "run",
+    "--quiet",
+    "--package",
+    "simbeeotic",
+    "--example",
+    "sensor_pictures",
+];
 
 /// Draws all pictures, or those that are named, and writes the page.
-pub(crate) fn draw(repo: &Repo, names: &[String]) -> Result<Report> {
+pub(crate) fn draw(repo: &Repo, words: &[String]) -> Result<Report> {
     let text = std::fs::read_to_string(repo.path(LIST)).with_context(|| LIST.to_owned())?;
     let list: Table = text.parse().with_context(|| LIST.to_owned())?;
     let sections = sections(&list)?;
-    let plots_of_runs = Plots::read(repo)?;
-    let names = &pictures_of(names, &sections, &plots_of_runs)?;
-    let program = Program::build(repo, Profile::Dev)?;
+    let plots = Plots::read(repo)?;
     let room = repo.target_dir()?.join("gallery");
     std::fs::create_dir_all(&room)?;
     std::fs::create_dir_all(repo.path(IMAGES))?;
-    let mut report = Report::of(String::new());
-    let (mut drawn, mut plots) = (0, false);
-    for picture in sections.iter().flat_map(|section| &section.pictures) {
-        if !names.is_empty() && !names.contains(&picture.name) {
-            continue;
+    let work = Work::at(&room);
+    let (named, pieces) = match words {
+        [word] if word == REST => {
+            let rest = work.rest()?;
+            let pieces = pieces(&sections, &plots, &rest);
+            (rest, pieces)
         }
-        if matches!(picture.source, Source::Plot) {
-            plots = true;
-            drawn += 1;
-            continue;
+        _ => {
+            let names = pictures_of(words, &sections, &plots)?;
+            let pieces = pieces(&sections, &plots, &names);
+            (names, pieces)
         }
-        if !matches!(
-            picture.source,
-            Source::Generated(_) | Source::File(_) | Source::Written(_)
-        ) {
-            continue;
-        }
-        let file = format!("{IMAGES}/{}.png", picture.name);
-        let world = picture.world_file(&program, &room)?;
-        let world = world.to_string_lossy().into_owned();
-        let mut arguments = vec!["picture", &world, "-o", &file, "--size", SIZE];
-        arguments.extend(picture.arguments.iter().map(String::as_str));
-        program.stdout(&arguments)?;
-        let bytes = std::fs::metadata(repo.path(&file))?.len();
-        if bytes > BYTES_MAX {
-            let fault = format!("{file}: {} KiB; 80 KiB are the most", bytes.div_ceil(1024));
-            report.faults.push(fault);
-        }
-        drawn += 1;
+    };
+    if pieces.is_empty() {
+        return Ok(Report::of("nothing is left to be drawn"));
     }
-    let wanted: Vec<&Picture> = (sections.iter())
-        .flat_map(|section| &section.pictures)
-        .filter(|picture| names.is_empty() || names.contains(&picture.name))
-        .collect();
-    drawn += pages(repo, &program, &wanted, &mut report)?;
-    drawn += benches(repo, &room, &wanted)?;
-    drawn += figures(repo, &wanted)?;
-    if plots {
-        let status = repo
-            .cargo()
-            .args(PLOTS)
-            .status()
-            .context("cannot run cargo")?;
-        anyhow::ensure!(status.success(), "what sensors read cannot be drawn");
+    // The page shows what there is, and does not depend on what is drawn now.
+    std::fs::write(repo.path(PAGE), page::page(&sections, &plots))?;
+    plots.write(repo)?;
+
+    let studio = Studio::new(repo, &room, &pieces);
+    let mut report = work.through(&pieces, |piece| studio.make(piece, &plots))?;
+    if let Some(note) = studio.without_browser(&pieces) {
+        match named.is_empty() {
+            true => report.notes.push(note),
+            // Somebody asked for them.
+            false => report.faults.push(note),
+        }
     }
-    std::fs::write(repo.path(PAGE), page(&sections, &plots_of_runs))?;
-    let of_runs = plots_of_runs.draw(repo, &program, &room, names, &mut report)?;
-    report.summary =
-        format!("{drawn} pictures in {IMAGES}, {of_runs} plots of runs, and their pages");
     Ok(report)
 }
 
@@ -110,7 +110,8 @@ fn pictures_of(words: &[String], sections: &[Section], plots: &Plots) -> Result<
                 .map(|section| section.name.as_str())
                 .collect();
             bail!(
-                "{LIST} has no picture and no section `{word}`; sections are {}",
+                "{LIST} has no picture and no section `{word}`; sections are {}, and `{REST}` is what is left of the \
+                 last gallery",
                 all.join(", ")
             );
         }
@@ -119,276 +120,271 @@ fn pictures_of(words: &[String], sections: &[Section], plots: &Plots) -> Result<
     Ok(names)
 }
 
-/// Makes the paper's Figures 9 and 10, each once.
-fn figures(repo: &Repo, pictures: &[&Picture]) -> Result<usize> {
-    let mut numbers: Vec<String> = Vec::new();
-    let mut drawn = 0;
-    for picture in pictures {
-        if let Source::Figure { number, .. } = &picture.source {
-            drawn += 1;
-            if !numbers.contains(number) {
-                numbers.push(number.clone());
-            }
+/// What is made at once: a picture, or several that one command makes.
+struct Piece<'a> {
+    what: What<'a>,
+    /// The pictures that come of it.
+    names: Vec<String>,
+}
+
+#[derive(Clone, Copy)]
+enum What<'a> {
+    /// A picture by itself.
+    Picture(&'a Picture),
+    /// All that the paper's Figure 9, or 10, shows.
+    Figure(&'a str),
+    /// All that sensors read.
+    Sensors,
+    /// A plot of runs.
+    Plot,
+}
+
+/// What is to be made for these pictures, or for all; each once, the quick before the slow.
+fn pieces<'a>(sections: &'a [Section], plots: &Plots, names: &[String]) -> Vec<Piece<'a>> {
+    let wanted = |name: &str| names.is_empty() || names.iter().any(|other| other == name);
+    let mut pieces: Vec<Piece<'a>> = Vec::new();
+    let pictures = sections.iter().flat_map(|section| &section.pictures);
+    for picture in pictures.filter(|picture| wanted(&picture.name)) {
+        let what = match &picture.source {
+            Source::Figure { number, .. } => What::Figure(number),
+            Source::Plot => What::Sensors,
+            _ => What::Picture(picture),
+        };
+        let same = |piece: &&mut Piece<'_>| match (piece.what, what) {
+            (What::Figure(a), What::Figure(b)) => a == b,
+            (What::Sensors, What::Sensors) => true,
+            _ => false,
+        };
+        match pieces.iter_mut().find(same) {
+            Some(piece) => piece.names.push(picture.name.clone()),
+            None => pieces.push(Piece {
+                what,
+                names: vec![picture.name.clone()],
+            }),
         }
     }
-    if !numbers.is_empty() {
-        figure::draw(repo, &numbers)?;
+    if sections.iter().any(|section| section.plots) {
+        for name in plots.names().filter(|name| wanted(name)) {
+            pieces.push(Piece {
+                what: What::Plot,
+                names: vec![name.to_owned()],
+            });
+        }
     }
-    Ok(drawn)
+    pieces.sort_by_key(Piece::is_slow);
+    pieces
 }
 
-/// Takes pictures of the page in a browser, if there is one.
-fn pages(
-    repo: &Repo,
-    program: &Program<'_>,
-    pictures: &[&Picture],
-    report: &mut Report,
-) -> Result<usize> {
-    let names: Vec<&str> = (pictures.iter())
-        .filter_map(|picture| match &picture.source {
-            Source::Page(name) => Some(name.as_str()),
-            _ => None,
+impl Piece<'_> {
+    /// Whether it takes minutes.
+    fn is_slow(&self) -> bool {
+        match self.what {
+            What::Figure(_) => true,
+            What::Picture(picture) => matches!(picture.source, Source::Bench(_)),
+            What::Sensors | What::Plot => false,
+        }
+    }
+
+    /// Whether it is a picture of the page.
+    fn is_of_page(&self) -> bool {
+        matches!(self.what, What::Picture(picture) if matches!(picture.source, Source::Page(_)))
+    }
+}
+
+/// What pictures are made with: programs, which are built when the first picture needs them.
+struct Studio<'a> {
+    repo: &'a Repo,
+    room: &'a Path,
+    profile: Profile,
+    program: OnceCell<Program<'a>>,
+    release: OnceCell<Program<'a>>,
+    examples: OnceCell<Program<'a>>,
+    browser: Option<PathBuf>,
+    installed: OnceCell<()>,
+}
+
+impl<'a> Studio<'a> {
+    fn new(repo: &'a Repo, room: &'a Path, pieces: &[Piece<'_>]) -> Self {
+        // Who has to wait for the fast program anyhow draws all with it.
+        let profile = match pieces.iter().any(Piece::is_slow) {
+            true => Profile::Release,
+            false => Profile::Dev,
+        };
+        Self {
+            repo,
+            room,
+            profile,
+            program: OnceCell::new(),
+            release: OnceCell::new(),
+            examples: OnceCell::new(),
+            browser: browser::browser(),
+            installed: OnceCell::new(),
+        }
+    }
+
+    /// What is said if pictures of the page are wanted and there is no browser.
+    fn without_browser(&self, pieces: &[Piece<'_>]) -> Option<String> {
+        let of_page = pieces.iter().filter(|piece| piece.is_of_page());
+        let names: Vec<&str> = of_page
+            .flat_map(|piece| &piece.names)
+            .map(String::as_str)
+            .collect();
+        (self.browser.is_none() && !names.is_empty()).then(|| {
+            format!(
+                "{} are as they were: no Chromium found; install one (Debian: apt-get install chromium), or name it \
+                 by CHROMIUM=PATH",
+                names.join(", ")
+            )
         })
-        .collect();
-    if names.is_empty() {
-        return Ok(0);
     }
-    let Some(browser) = page::browser() else {
-        let note =
-            "pictures of the page are as they were: no Chromium found (CHROMIUM=PATH names one)";
-        report.notes.push(note.to_owned());
-        return Ok(0);
-    };
-    page::install(repo)?;
-    let mut node = Command::new("node");
-    node.arg("test/gallery.mjs")
-        .arg(repo.path(IMAGES))
-        .args(&names);
-    node.env("SIMBEEOTIC", program.binary())
-        .env("CHROMIUM", browser);
-    page::run(&mut node, repo)?;
-    Ok(names.len())
-}
 
-/// Runs the paper's experiments, with the program as released.
-fn benches(repo: &Repo, room: &Path, pictures: &[&Picture]) -> Result<usize> {
-    let mut program = None;
-    let mut drawn = 0;
-    for picture in pictures {
-        let Source::Bench(figure) = &picture.source else {
-            continue;
+    /// Makes a piece; tells whether it could be made here.
+    fn make(&self, piece: &Piece<'_>, plots: &Plots) -> Result<bool> {
+        match piece.what {
+            What::Picture(picture) => match &picture.source {
+                Source::Page(name) => return self.of_page(name),
+                Source::Bench(figure) => self.bench(figure, &picture.arguments)?,
+                Source::Commands {
+                    file,
+                    commands,
+                    examples,
+                } => {
+                    let program = match examples {
+                        true => self.with_examples()?,
+                        false => self.program()?,
+                    };
+                    self.commands(program, picture, file, commands)?;
+                }
+                _ => self.world(picture)?,
+            },
+            What::Figure(number) => {
+                figure::draw(self.repo, &[number.to_owned()])?;
+            }
+            What::Sensors => {
+                let mut cargo = self.repo.cargo();
+                let status = cargo.args(PLOTS).status().context("cannot run cargo")?;
+                ensure!(status.success(), "what sensors read cannot be drawn");
+            }
+            What::Plot => {
+                let program = self.program()?;
+                for name in &piece.names {
+                    plots.draw(self.repo, program, self.room, name)?;
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    fn program(&self) -> Result<&Program<'a>> {
+        match self.profile {
+            Profile::Dev => once(&self.program, || Program::build(self.repo, Profile::Dev)),
+            Profile::Release => self.release(),
+        }
+    }
+
+    fn release(&self) -> Result<&Program<'a>> {
+        once(&self.release, || {
+            Program::build(self.repo, Profile::Release)
+        })
+    }
+
+    fn with_examples(&self) -> Result<&Program<'a>> {
+        once(&self.examples, || {
+            Program::with_examples(self.repo, self.profile)
+        })
+    }
+
+    /// Takes a picture of the page in a browser, if there is one.
+    fn of_page(&self, name: &str) -> Result<bool> {
+        let Some(chromium) = &self.browser else {
+            return Ok(false);
         };
-        let program = match &mut program {
-            Some(program) => program,
-            None => program.insert(Program::build(repo, Profile::Release)?),
-        };
-        let folder = room.join(figure).to_string_lossy().into_owned();
+        once(&self.installed, || browser::install(self.repo))?;
+        let program = self.program()?;
+        let mut node = Command::new("node");
+        node.arg("test/gallery.mjs")
+            .arg(self.repo.path(IMAGES))
+            .arg(name);
+        node.env("SIMBEEOTIC", program.binary())
+            .env("CHROMIUM", chromium);
+        browser::run(&mut node, self.repo)?;
+        Ok(true)
+    }
+
+    /// Runs one of the paper's experiments, with the program as released.
+    fn bench(&self, figure: &str, options: &[String]) -> Result<()> {
+        let folder = self.room.join(figure).to_string_lossy().into_owned();
         let mut arguments = vec!["bench", figure, "-o", &folder];
-        arguments.extend(picture.arguments.iter().map(String::as_str));
-        program.stdout(&arguments)?;
+        arguments.extend(options.iter().map(String::as_str));
+        self.release()?.stdout(&arguments)?;
         // With even axes, and with logarithmic ones.
         for name in [format!("{figure}.svg"), format!("{figure}-log.svg")] {
             let drawing = Path::new(&folder).join(&name);
-            let target = repo.path(FIGURES).join(&name);
+            let target = self.repo.path(FIGURES).join(&name);
             std::fs::copy(&drawing, target).with_context(|| drawing.display().to_string())?;
         }
-        drawn += 1;
+        Ok(())
     }
-    Ok(drawn)
-}
 
-struct Section {
-    /// What it is called by on the command line.
-    name: String,
-    title: String,
-    text: String,
-    pictures: Vec<Picture>,
-    /// Whether all plots of runs follow.
-    plots: bool,
-}
+    /// Runs commands, the last of which makes the picture.
+    fn commands(
+        &self,
+        program: &Program<'_>,
+        picture: &Picture,
+        file: &str,
+        commands: &[Vec<String>],
+    ) -> Result<()> {
+        let out = self.room.join(&picture.name);
+        if out.exists() {
+            std::fs::remove_dir_all(&out).with_context(|| out.display().to_string())?;
+        }
+        std::fs::create_dir_all(&out).with_context(|| out.display().to_string())?;
+        let out = out.to_string_lossy();
+        let file = format!("docs/images/{file}");
+        for words in commands {
+            let words = words.iter();
+            let words: Vec<String> = words
+                .map(|word| word.replace("{out}", &out).replace("{picture}", &file))
+                .collect();
+            program.stdout(&words.iter().map(String::as_str).collect::<Vec<_>>())?;
+        }
+        small(self.repo, &file, BYTES_MADE)
+    }
 
-struct Picture {
-    name: String,
-    caption: String,
-    source: Source,
-    arguments: Vec<String>,
-}
-
-/// Draws what sensors read: all of [`Source::Plot`].
-const PLOTS: [&str; 6] = [
-    "run",
-    "--quiet",
-    "--package",
-    "simbeeotic",
-    "--example",
-    "sensor_pictures",
-];
-
-/// Which world a picture is of.
-enum Source {
-    /// None: it is a plot of what a sensor read.
-    Plot,
-    /// A view of the page: its name in `test/gallery.mjs` of the page.
-    Page(String),
-    /// An experiment of `simbeeotic bench`.
-    Bench(String),
-    /// A picture of what `cargo xtask figure` makes: the number, and the file.
-    Figure {
-        number: String,
-        file: String,
-    },
-    Generated(String),
-    File(String),
-    Written(String),
-}
-
-impl Picture {
-    /// The file of its world, made if need be.
-    fn world_file(&self, program: &Program<'_>, room: &Path) -> Result<PathBuf> {
-        let made = room.join(format!("{}.toml", self.name));
-        match &self.source {
-            Source::Plot | Source::Page(_) | Source::Bench(_) | Source::Figure { .. } => {}
-            Source::File(file) => return Ok(PathBuf::from(file)),
-            Source::Written(text) => std::fs::write(&made, text)?,
+    /// Draws a world.
+    fn world(&self, picture: &Picture) -> Result<()> {
+        let program = self.program()?;
+        let file = format!("{IMAGES}/{}.png", picture.name);
+        let made = self.room.join(format!("{}.toml", picture.name));
+        let path = made.to_string_lossy().into_owned();
+        let world = match &picture.source {
+            Source::File(file) => file.clone(),
             Source::Generated(kind) => {
-                let path = made.to_string_lossy().into_owned();
                 program.stdout(&["world", kind, "--seed", "1", "--force", "-o", &path])?;
+                path
             }
-        }
-        Ok(made)
-    }
-
-    /// The commands that make it.
-    fn commands(&self) -> String {
-        let (mut commands, world) = match &self.source {
-            Source::Plot => return format!("cargo {}", PLOTS.join(" ")),
-            // The section says how.
-            Source::Page(_) => return String::new(),
-            Source::Figure { number, .. } => return format!("cargo xtask figure {number}"),
-            Source::Bench(figure) => {
-                let words = std::iter::once(format!("simbeeotic bench {figure}"));
-                let words = words.chain(self.arguments.iter().cloned());
-                return words.collect::<Vec<_>>().join(" ");
+            Source::Written(text) => {
+                std::fs::write(&made, text)?;
+                path
             }
-            Source::File(file) => (String::new(), file.clone()),
-            Source::Written(_) => (String::new(), format!("{}.toml", self.name)),
-            Source::Generated(kind) => (
-                format!("simbeeotic world {kind} --seed 1 -o {kind}.toml\n"),
-                format!("{kind}.toml"),
-            ),
+            _ => bail!("`{}` is no picture of a world", picture.name),
         };
-        let mut picture = format!("simbeeotic picture {world} -o {}.png", self.name);
-        for argument in &self.arguments {
-            let _ = write!(picture, " {argument}");
-        }
-        commands.push_str(&picture);
-        commands
+        let mut arguments = vec!["picture", &world, "-o", &file, "--size", SIZE];
+        arguments.extend(picture.arguments.iter().map(String::as_str));
+        program.stdout(&arguments)?;
+        small(self.repo, &file, BYTES_MAX)
     }
 }
 
-fn sections(list: &Table) -> Result<Vec<Section>> {
-    tables(list, "section")?
-        .map(|section| {
-            let plots = section.get("plots").and_then(Value::as_bool) == Some(true);
-            let pictures = match section.contains_key("picture") || !plots {
-                true => tables(section, "picture")?
-                    .map(picture)
-                    .collect::<Result<_>>()?,
-                false => Vec::new(),
-            };
-            Ok(Section {
-                name: text(section, "name")?,
-                title: text(section, "title")?,
-                text: text(section, "text")?,
-                pictures,
-                plots,
-            })
-        })
-        .collect()
-}
-
-fn picture(table: &Table) -> Result<Picture> {
-    let source = match (table.get("generate"), table.get("file"), table.get("world")) {
-        (None, None, None) if table.contains_key("page") => Source::Page(text(table, "page")?),
-        (None, None, None) if table.contains_key("bench") => Source::Bench(text(table, "bench")?),
-        (None, None, None) if table.contains_key("figure") => Source::Figure {
-            number: text(table, "figure")?,
-            file: text(table, "drawing")?,
-        },
-        (None, None, None) if text(table, "name")?.starts_with("sensor-") => Source::Plot,
-        (Some(_), None, None) => Source::Generated(text(table, "generate")?),
-        (None, Some(_), None) => Source::File(text(table, "file")?),
-        (None, None, Some(_)) => Source::Written(text(table, "world")?),
-        _ => bail!("{LIST}: a picture has one of `generate`, `file` and `world`"),
-    };
-    let arguments = match table.get("arguments") {
-        None => Vec::new(),
-        Some(Value::Array(words)) => {
-            let words = words.iter().filter_map(Value::as_str);
-            words.map(str::to_owned).collect()
-        }
-        Some(_) => bail!("{LIST}: `arguments` is a list of words"),
-    };
-    Ok(Picture {
-        name: text(table, "name")?,
-        caption: text(table, "caption")?,
-        source,
-        arguments,
-    })
-}
-
-fn tables<'a>(table: &'a Table, key: &str) -> Result<impl Iterator<Item = &'a Table>> {
-    let list = table.get(key).and_then(Value::as_array);
-    let list = list.with_context(|| format!("{LIST}: no [[{key}]]"))?;
-    Ok(list.iter().filter_map(Value::as_table))
-}
-
-fn text(table: &Table, key: &str) -> Result<String> {
-    let text = table.get(key).and_then(Value::as_str);
-    Ok(text
-        .with_context(|| format!("{LIST}: no `{key}`"))?
-        .to_owned())
-}
-
-/// The page, as Markdown.
-fn page(sections: &[Section], plots: &Plots) -> String {
-    let names: Vec<String> = (sections.iter())
-        .map(|section| format!("`{}`", section.name))
-        .collect();
-    let mut page = format!(
-        "# Gallery\n\n`cargo xtask gallery` makes all pictures anew and writes this page, from \
-         `docs/book/gallery.toml` and\n`docs/book/plots.toml`. With names it makes those alone: of a picture, or \
-         of a section:\n{}.\n",
-        names.join(", ")
-    );
-    for section in sections {
-        let _ = write!(page, "\n## {}\n", section.title);
-        if !section.text.trim().is_empty() {
-            let _ = write!(page, "\n{}\n", section.text.trim());
-        }
-        for picture in &section.pictures {
-            let Picture { name, caption, .. } = picture;
-            let file = match &picture.source {
-                Source::Bench(figure) => format!("figures/{figure}.svg"),
-                Source::Figure { file, .. } => format!("figures/{file}"),
-                Source::Plot => format!("gallery/{name}.svg"),
-                Source::Page(_) => format!("gallery/{name}.jpg"),
-                _ => format!("gallery/{name}.png"),
-            };
-            let _ = write!(page, "\n{caption}\n\n![{name}](../../images/{file})\n");
-            if matches!(picture.source, Source::Plot | Source::Page(_)) {
-                // One command draws them all: the section says which.
-            } else if let Source::Written(world) = &picture.source {
-                let _ = write!(page, "\n```toml\n{}\n```\n", world.trim());
-            } else {
-                let _ = write!(page, "\n```sh\n{}\n```\n", picture.commands());
-            }
-        }
-        if section.plots {
-            page.push_str(&plots.shown());
+/// What is there, or is made now; a failure is made again by the next who needs it.
+fn once<T>(cell: &OnceCell<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
+    match cell.get() {
+        Some(there) => Ok(there),
+        None => {
+            let made = make()?;
+            Ok(cell.get_or_init(|| made))
         }
     }
-    page
 }
 
 #[cfg(test)]
@@ -414,6 +410,21 @@ mod tests {
         caption = "A map."
         figure = "10"
         drawing = "map.svg"
+        [[section.picture]]
+        name = "trips"
+        caption = "Trips."
+        figure = "10"
+        drawing = "trips.svg"
+        [[section]]
+        name = "others"
+        title = "Others"
+        text = ""
+        elsewhere = true
+        [[section.picture]]
+        name = "film"
+        caption = "A film."
+        drawing = "film.gif"
+        commands = [["run", "a.toml", "--record", "{out}/a.mcap"], ["render", "{out}/a.mcap", "--video", "{picture}", "--to", "2 s"]]
         [[section]]
         name = "plots"
         title = "Plots"
@@ -441,7 +452,7 @@ mod tests {
 
     #[test]
     fn the_page_has_each_picture_with_what_makes_it() {
-        let page = page(&listed(EXAMPLE).expect("sections"), &plots());
+        let page = page::page(&listed(EXAMPLE).expect("sections"), &plots());
         for part in [
             "## Things",
             "![maze](../../images/gallery/maze.png)",
@@ -453,6 +464,12 @@ mod tests {
         ] {
             assert!(page.contains(part), "{part} in {page}");
         }
+        assert!(!page.contains("film"), "another page shows it: {page}");
+        let here = EXAMPLE.replace("elsewhere = true", "");
+        let page = page::page(&listed(&here).expect("sections"), &plots());
+        let film = "![film](../../images/film.gif)\n\n```sh\nsimbeeotic run a.toml --record a.mcap\n\
+                    simbeeotic render a.mcap --video film.gif --to '2 s'\n```";
+        assert!(page.contains(film), "{page}");
     }
 
     #[test]
@@ -464,17 +481,40 @@ mod tests {
         };
         assert_eq!(
             named(&["things"]).expect("a section"),
-            ["maze", "box", "map"]
+            ["maze", "box", "map", "trips"]
         );
         assert_eq!(named(&["box", "plots"]).expect("both"), ["box", "traces"]);
         assert_eq!(named(&["traces"]).expect("a plot"), ["traces"]);
         let said = named(&["tings"]).expect_err("a slip").to_string();
-        assert!(said.contains("sections are things, plots"), "{said}");
+        assert!(
+            said.contains("sections are things, others, plots"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn what_one_command_makes_is_made_once_and_slow_pictures_are_last() {
+        let sections = listed(EXAMPLE).expect("sections");
+        let made = |names: &[&str]| -> Vec<Vec<String>> {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            let pieces = pieces(&sections, &plots(), &names).into_iter();
+            pieces.map(|piece| piece.names).collect()
+        };
+        let all: [&[&str]; 5] = [
+            &["maze"],
+            &["box"],
+            &["film"],
+            &["traces"],
+            &["map", "trips"],
+        ];
+        assert_eq!(made(&[]), all);
+        assert_eq!(made(&["trips", "box"]), [["box"], ["trips"]]);
     }
 
     #[test]
     fn a_picture_of_nothing_is_refused() {
         assert!(listed(&EXAMPLE.replace("generate = \"maze\"", "")).is_err());
         assert!(listed(&EXAMPLE.replace("drawing = \"map.svg\"", "")).is_err());
+        assert!(listed(&EXAMPLE.replace("commands = [[", "commands = [[1], [")).is_err());
     }
 }

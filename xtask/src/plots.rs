@@ -3,12 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use toml::{Table, Value};
 
 use crate::program::Program;
 use crate::repo::Repo;
-use crate::report::Report;
 
 /// What is drawn.
 const LIST: &str = "docs/book/plots.toml";
@@ -61,37 +60,33 @@ impl Plots {
         })
     }
 
-    /// Draws all pictures, or those that are named, and writes the page.
+    /// Draws a picture.
+    ///
+    /// # Errors
+    /// It has no such picture; a run fails; the picture is too large for a repository.
     pub(crate) fn draw(
         &self,
         repo: &Repo,
         program: &Program<'_>,
         room: &Path,
-        names: &[String],
-        report: &mut Report,
-    ) -> Result<usize> {
+        name: &str,
+    ) -> Result<()> {
+        let plot = self.plots.iter().find(|plot| plot.name == name);
+        let plot = plot.with_context(|| format!("{LIST} has no picture `{name}`"))?;
         std::fs::create_dir_all(repo.path(IMAGES))?;
-        let mut drawn = 0;
-        for plot in &self.plots {
-            if !names.is_empty() && !names.contains(&plot.name) {
-                continue;
-            }
-            let inputs = plot.run(program, room)?;
-            let file = format!("{IMAGES}/{}.{}", plot.name, plot.ending);
-            let mut arguments = vec!["plot", plot.arguments[0].as_str()];
-            arguments.extend(inputs.iter().map(String::as_str));
-            arguments.extend(["-o", &file]);
-            arguments.extend(plot.arguments[1..].iter().map(String::as_str));
-            program.stdout(&arguments)?;
-            let bytes = std::fs::metadata(repo.path(&file))?.len();
-            if bytes > BYTES_MAX {
-                let fault = format!("{file}: {} KiB; 150 KiB are the most", bytes.div_ceil(1024));
-                report.faults.push(fault);
-            }
-            drawn += 1;
-        }
-        std::fs::write(repo.path(PAGE), self.page())?;
-        Ok(drawn)
+        let inputs = plot.run(program, room)?;
+        let file = format!("{IMAGES}/{}.{}", plot.name, plot.ending);
+        let mut arguments = vec!["plot", plot.arguments[0].as_str()];
+        arguments.extend(inputs.iter().map(String::as_str));
+        arguments.extend(["-o", &file]);
+        arguments.extend(plot.arguments[1..].iter().map(String::as_str));
+        program.stdout(&arguments)?;
+        small(repo, &file, BYTES_MAX)
+    }
+
+    /// Writes the page.
+    pub(crate) fn write(&self, repo: &Repo) -> Result<()> {
+        std::fs::write(repo.path(PAGE), self.page()).with_context(|| PAGE.to_owned())
     }
 
     /// The page, as Markdown.
@@ -209,21 +204,17 @@ impl Plot {
         let inputs = match &self.runs {
             Runs::Single(runs) => {
                 for (run, file) in runs {
-                    let _ = writeln!(commands, "simbeeotic run {} --record {file}", quoted(run));
+                    let _ = writeln!(commands, "simbeeotic run {} --record {file}", line(run));
                 }
                 let files: Vec<&str> = runs.iter().map(|(_, file)| file.as_str()).collect();
                 files.join(" ")
             }
             Runs::Sweep(sweep) if self.is_of_table() => {
-                let _ = writeln!(commands, "simbeeotic sweep {} -o {name}.csv", quoted(sweep));
+                let _ = writeln!(commands, "simbeeotic sweep {} -o {name}.csv", line(sweep));
                 format!("{name}.csv")
             }
             Runs::Sweep(sweep) => {
-                let _ = writeln!(
-                    commands,
-                    "simbeeotic sweep {} --record {name}",
-                    quoted(sweep)
-                );
+                let _ = writeln!(commands, "simbeeotic sweep {} --record {name}", line(sweep));
                 name.clone()
             }
         };
@@ -233,19 +224,39 @@ impl Plot {
             self.arguments[0], self.ending
         );
         if self.arguments.len() > 1 {
-            let _ = write!(commands, " {}", quoted(&self.arguments[1..]));
+            let _ = write!(commands, " {}", line(&self.arguments[1..]));
         }
         commands
     }
 }
 
-fn quoted(words: &[String]) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_=./:,".contains(c);
-    let words = words.iter().map(|word| match word.chars().all(plain) {
-        true => word.clone(),
-        false => format!("'{word}'"),
-    });
+/// Checks that a picture is not larger than belongs in a repository.
+pub(crate) fn small(repo: &Repo, file: &str, bytes_max: u64) -> Result<()> {
+    let path = repo.path(file);
+    let bytes = std::fs::metadata(&path)
+        .with_context(|| file.to_owned())?
+        .len();
+    ensure!(
+        bytes <= bytes_max,
+        "{file}: {} KiB; {} KiB are the most",
+        bytes.div_ceil(1024),
+        bytes_max / 1024
+    );
+    Ok(())
+}
+
+fn line(words: &[String]) -> String {
+    let words = words.iter().map(|word| quoted(word));
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a shell takes it.
+pub(crate) fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_=./:,".contains(c);
+    match word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{word}'"),
+    }
 }
 
 fn word(table: &Table, key: &str) -> Result<String> {

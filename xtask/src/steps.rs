@@ -76,7 +76,7 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "gallery",
-        holds: "the book's gallery is drawn anew: its page and its pictures [NAME ...]",
+        holds: "the book's gallery is drawn anew: its page and its pictures [NAME ...] [rest]",
         order: Order::Asked,
         run: |repo, options| gallery::draw(repo, &options.words),
     },

@@ -14,6 +14,7 @@ mod arguments;
 mod bench;
 mod convert;
 mod export;
+mod help;
 mod input;
 mod log;
 mod new;
@@ -32,7 +33,7 @@ mod view;
 mod world;
 
 use arguments::{Arguments, Command};
-use clap::Parser;
+use clap::FromArgMatches;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
@@ -46,7 +47,9 @@ use simbeeotic_models as _;
 /// Exit codes: 0, all went well; 1, a run failed or output could not be written; 2, the input or
 /// the arguments are wrong; 130, the run was interrupted.
 pub fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let matches = help::command().get_matches();
+    let arguments = Arguments::from_arg_matches(&matches)
+        .unwrap_or_else(|e| e.format(&mut help::command()).exit());
     let result = match arguments.command {
         Command::Run(options) => run::run(options),
         Command::Check(options) => run::check(&options),

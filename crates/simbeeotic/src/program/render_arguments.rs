@@ -10,7 +10,7 @@ Examples:
   simbeeotic render run.mcap --video film.mp4 --view orbit --turn \"10 deg/s\" --speed 4
   simbeeotic render run.mcap --video film.gif --from \"10 s\" --to \"20 s\" --size 480x270
   simbeeotic render run.mcap --video film.mp4 --follow bee-3 --view orbit --zoom 2
-  simbeeotic render run.mcap --models 'scout-*' --beams 'scout-*' --follow scout-1 --view orbit -o rays.png
+  simbeeotic render run.mcap --beams 'scout-*' --follow scout-1 --view orbit -o rays.png
   simbeeotic render run.mcap --eye -10,-10,8 --look-at 0,0,2 -o frame.png
 
 --view top, north, south, east and west have no perspective and a scale; north is as seen from the north.

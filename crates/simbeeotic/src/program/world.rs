@@ -1,9 +1,8 @@
 //! `world`: worlds made by rule, written as world files.
 
-use super::arguments::{Arguments, WorldOptions};
-use super::{Failure, colour, remark, say, shelf};
+use super::arguments::WorldOptions;
+use super::{Failure, colour, help, remark, say, shelf};
 use crate::library;
-use clap::CommandFactory;
 use simbeeotic_model::config::{Node, Sources, Value};
 use simbeeotic_model::registry::Kind;
 use simbeeotic_scenario::generate::Order;
@@ -39,7 +38,7 @@ pub(super) fn world(options: &WorldOptions) -> Result<(), Failure> {
 
 /// The help of this command alone.
 fn help() -> Result<(), Failure> {
-    let mut all = Arguments::command();
+    let mut all = help::command();
     all.build();
     let page = all
         .find_subcommand_mut("world")

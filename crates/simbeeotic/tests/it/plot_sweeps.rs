@@ -194,6 +194,145 @@ fn links_of_several_runs_are_means_and_the_unsure_ones_are_dashed() {
 }
 
 #[test]
+fn losses_of_several_runs_are_their_means_with_where_these_are() {
+    let program = Program::new();
+    for seed in 1..=3 {
+        talk(&program, &format!("{seed}.mcap"), seed, 4);
+    }
+    talk(&program, "five.mcap", 1, 5);
+    // What the key says of a reason: "noise: 12".
+    let number = |words: &[String], reason: &str| -> Option<f64> {
+        let said = words.iter().find_map(|word| word.strip_prefix(reason))?;
+        said.split(' ').next()?.replace(',', "").parse().ok()
+    };
+    let alone = (1..=3).map(|seed| {
+        let file = format!("{seed}.mcap");
+        let said = words(&program, &["losses", &file, "-o", "x.svg"]);
+        assert!(!said.iter().any(|word| word.contains('±')), "{said:?}");
+        number(&said, "noise: ").expect("noise takes some")
+    });
+    let mean = alone.sum::<f64>() / 3.0;
+    let all = ["losses", "1.mcap", "2.mcap", "3.mcap", "-o", "x.svg"];
+    let said = words(&program, &all);
+    let drawn = number(&said, "noise: ").expect("noise takes some");
+    assert!(mean > 10.0 && (drawn - mean).abs() < 0.51, "{drawn} {mean}");
+    assert!(
+        said.iter().any(|word| word.contains("95 % confidence")),
+        "{said:?}"
+    );
+    let by = ["losses", "1.mcap", "five.mcap", "-o", "x.svg", "--by"];
+    let said = words(&program, &[&by[..], &["model.bee.count"]].concat());
+    for word in ["count = 4", "count = 5", "noise"] {
+        assert!(said.contains(&word.to_owned()), "{word}: {said:?}");
+    }
+    refused(
+        &program,
+        &["losses", "1.mcap", "-o", "x.svg", "--radio", "bee-0"],
+        "1.mcap has no counters of",
+    );
+}
+
+/// What can be drawn of one recording, and of several, and what of the latter says that it is a mean.
+const KINDS: [(&[&str], &str); 10] = [
+    (&["traces"], "seed 2"),
+    (&["traces", "--3d"], "seed 2"),
+    (&["series", "--metric", "speed"], "band: 95 % confidence"),
+    (&["histogram", "--metric", "speed"], "95 % confidence"),
+    (&["links"], "mean over runs"),
+    (&["delivery"], "mean over runs, and where it is with 95 %"),
+    (&["coverage", "--confidence"], "±, with 95 % confidence"),
+    (&["coverage", "--over-time"], " ± "),
+    (&["losses"], "with 95 % confidence"),
+    (&["rssi"], "median"),
+];
+
+/// A sweep of three seeds, as a folder of recordings.
+fn swept(program: &Program) {
+    program.write(
+        "talk.toml",
+        "[run]\nseed = 1\nend_time = \"4 s\"\n\
+         [channel]\nuse = \"free-space\"\nmedium = \"simple\"\nrange_limit = \"100 m\"\n\
+         noise_floor = { mean = \"-85 dBm\", sigma = \"5 dB\" }\n\
+         [[model]]\nuse = \"broadcast-bee\"\nname = \"talker\"\ncount = 3\n\
+         start = { grid = [3, 1, 1], spacing = \"15 m\", from = [\"0 m\", \"0 m\", \"5 m\"] }\n\
+         radio = { use = \"cc2420\" }\n\
+         [[model]]\nuse = \"random-walk-bee\"\nname = \"bee\"\ncount = 3\n\
+         start = { box = [\"4 m\", \"4 m\", \"2 m\"] }\n",
+    );
+    let sweep = ["sweep", "talk.toml", "--seeds", "3", "--record", "runs"];
+    let call = program.call(&sweep);
+    assert_eq!(call.code, Some(0), "{}", call.err);
+}
+
+#[test]
+fn every_kind_is_drawn_of_one_run_and_of_a_whole_sweep_as_svg_and_as_png() {
+    let program = Program::new();
+    swept(&program);
+    for (kind, mean) in KINDS {
+        for (input, runs) in [("runs/run-0001.mcap", ", seed 1"), ("runs", "3 runs")] {
+            if kind.contains(&"--confidence") && input != "runs" {
+                continue;
+            }
+            let said = words(&program, &[kind, &[input, "-o", "x.svg"]].concat());
+            assert!(said[1].contains(runs), "{kind:?}: {said:?}");
+            if input == "runs" {
+                let caption = [said[1].as_str(), &said[2]].join(" ");
+                let told = said.iter().any(|word| word.contains(mean));
+                assert!(told || caption.contains(mean), "{kind:?}: {said:?}");
+            }
+            let call = program.call(&[&["plot"], kind, &[input, "-o", "x.png"]].concat());
+            assert_eq!(call.code, Some(0), "{kind:?} of {input}: {}", call.err);
+            let png = std::fs::read(program.path("x.png")).expect("it is there");
+            assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 4_000);
+        }
+    }
+}
+
+#[test]
+fn for_a_column_of_a_paper_no_word_leaves_the_picture_or_is_too_small() {
+    let program = Program::new();
+    swept(&program);
+    for (kind, _) in KINDS {
+        for input in ["runs/run-0001.mcap", "runs"] {
+            if kind.contains(&"--confidence") && input != "runs" {
+                continue;
+            }
+            let narrow = [input, "-o", "x.svg", "--width", "480", "--plain"];
+            let svg = drawn(&program, &[kind, &narrow].concat());
+            let attribute = |line: &str, name: &str| -> Option<String> {
+                let at = line.find(&format!(" {name}=\""))? + name.len() + 3;
+                Some(line[at..].split('"').next()?.to_owned())
+            };
+            let texts = svg.lines().filter(|line| line.starts_with("<text "));
+            let mut count = 0;
+            for text in texts.filter(|text| !text.contains("rotate")) {
+                let number = |name: &str| -> f64 {
+                    let value = attribute(text, name).expect("it has one");
+                    value.parse().expect("a number")
+                };
+                let said = crate::plot::words(text).remove(0);
+                let (x, size) = (number("x"), number("font-size"));
+                let wide = simbeeotic_view::render::words::width(&said, size);
+                let left = match attribute(text, "text-anchor").as_deref() {
+                    Some("middle") => x - 0.5 * wide,
+                    Some("end") => x - wide,
+                    _ => x,
+                };
+                assert!(
+                    left >= 0.0 && left + wide <= 480.0,
+                    "{kind:?} of {input}: {said:?} from {left} to {}",
+                    left + wide
+                );
+                // 480 pixels in a column of 88 mm: 12 pixels are six points.
+                assert!(size >= 12.0, "{kind:?} of {input}: {said:?}: {size}");
+                count += 1;
+            }
+            assert!(count > 5, "{kind:?}");
+        }
+    }
+}
+
+#[test]
 fn delivery_of_several_runs_is_their_mean_or_a_curve_each() {
     let program = Program::new();
     for seed in 1..=3 {

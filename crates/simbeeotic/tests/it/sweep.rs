@@ -2,7 +2,7 @@
 
 use crate::program::{Call, Program, shipped};
 
-const BEES: &str = r#"
+pub(crate) const BEES: &str = r#"
 [run]
 end_time = "2 s"
 seed = 4
@@ -21,18 +21,18 @@ seeds = 2
 "model.bee.params.heading_sigma" = ["0.1 rad", "0.8 rad"]
 "#;
 
-fn program() -> Program {
+pub(crate) fn program() -> Program {
     let program = Program::new();
     program.write("bees.toml", BEES);
     program
 }
 
-fn good(call: Call) -> Call {
+pub(crate) fn good(call: Call) -> Call {
     assert_eq!(call.code, Some(0), "{}", call.err);
     call
 }
 
-fn table(program: &Program, name: &str) -> Vec<Vec<String>> {
+pub(crate) fn table(program: &Program, name: &str) -> Vec<Vec<String>> {
     let text = std::fs::read_to_string(program.path(name)).expect("a table");
     let row = |line: &str| line.split(',').map(str::to_owned).collect();
     text.lines().map(row).collect()
@@ -151,57 +151,6 @@ fn a_run_that_fails_has_a_row_and_the_others_go_on() {
         assert_eq!(row[5] == "failed", row[2] == "5", "{row:?}");
         assert_eq!(row[6].is_empty(), row[2] == "2", "{row:?}");
     }
-}
-
-/// Runs of five bees fail, as they have too many events; those of two do not.
-const SOME_FAIL: [&str; 6] = [
-    "sweep",
-    "bees.toml",
-    "--set",
-    "run.pending_events=4",
-    "--vary",
-    "model.bee.count=5,2",
-];
-
-#[test]
-fn after_runs_that_failed_only_they_are_flown_again() {
-    let program = program();
-    let call = program.call(&SOME_FAIL);
-    assert_eq!(call.code, Some(1), "{}", call.err);
-    let said =
-        "4 of 8 runs failed; their rows say why; the same command with --resume flies them again";
-    assert!(call.err.contains(said), "{}", call.err);
-    let before = std::fs::read(program.path("bees-runs.csv")).expect("a table");
-    let call = program.call(&[&SOME_FAIL[..], &["--resume"]].concat());
-    assert_eq!(call.code, Some(1), "{}", call.err);
-    assert!(call.err.contains("4 of 8 runs are done"), "{}", call.err);
-    let after = std::fs::read(program.path("bees-runs.csv")).expect("a table");
-    assert!(before == after, "the same table");
-}
-
-#[test]
-fn a_recording_of_another_run_under_the_same_number_is_not_taken_for_it() {
-    let program = program();
-    let sweep = |seeds, more: &[&str]| {
-        let record = ["--record", "runs", "--seeds", seeds];
-        let call = program.call(&[&SOME_FAIL[..], &record, more].concat());
-        assert_eq!(call.code, Some(1), "{}", call.err);
-        call
-    };
-    let flown = |run: usize| {
-        let file = format!("runs/run-000{run}.mcap");
-        good(program.call(&["export", &file, "--csv"])).out
-    };
-    sweep("4,5", &[]);
-    let (first, second) = (flown(3), flown(7));
-    assert_ne!(first, second, "two seeds");
-    let call = sweep("4,5", &["--resume"]);
-    assert!(call.err.contains("4 of 8 runs are done"), "{}", call.err);
-    // The runs that were the third and fourth are the seventh and eighth now.
-    let call = sweep("5,4", &["--resume"]);
-    assert!(!call.err.contains("runs are done"), "{}", call.err);
-    assert!(call.err.contains("4 runs in"), "{}", call.err);
-    assert!(flown(3) == second && flown(7) == first);
 }
 
 #[test]
@@ -343,184 +292,6 @@ fn a_table_that_could_not_be_written_in_the_end_is_not_lost() {
     );
 }
 
-/// Starts a sweep, and sends Ctrl-C when so many rows are beside its table; no machine is so slow that it does not
-/// come to that.
-#[cfg(unix)]
-fn interrupted(program: &Program, arguments: &[&str], rows: usize) -> Call {
-    use std::process::Stdio;
-    use std::time::Duration;
-
-    let mut command = program.command();
-    command.args(arguments).stdout(Stdio::piped());
-    let child = command.stderr(Stdio::piped()).spawn().expect("it starts");
-    let unfinished = program.path("bees-runs.csv.unfinished");
-    for _ in 0..6000 {
-        let text = std::fs::read_to_string(&unfinished).unwrap_or_default();
-        if text.lines().count() > rows {
-            break;
-        }
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let id = child.id().to_string();
-    let kill = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
-    assert!(kill.expect("kill is there").success());
-    Call::from(child.wait_with_output().expect("it ends"))
-}
-
-/// Two runs of each seed end at once, the other two take for ever.
-#[cfg(unix)]
-fn endless() -> String {
-    BEES.replace(
-        "[sweep.vary]",
-        "[sweep.vary]\n\"run.end_time\" = [\"1 s\", \"10000 h\"]",
-    )
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupt_keeps_what_is_done() {
-    let program = Program::new();
-    program.write("bees.toml", &endless());
-    let sweep = [
-        "sweep",
-        "bees.toml",
-        "--jobs",
-        "2",
-        "--seeds",
-        "1",
-        "--vary",
-        "model.bee.count=2",
-        "--record",
-        "runs",
-    ];
-    let call = interrupted(&program, &sweep, 2);
-    assert_eq!(call.code, Some(130), "{}", call.err);
-    let line = "interrupted: 2 of 4 runs are done; the same command with --resume goes on";
-    assert!(call.err.lines().any(|l| l == line), "{}", call.err);
-    let rows = table(&program, "bees-runs.csv");
-    assert_eq!(rows.len(), 3);
-    assert_eq!((rows[1][0].as_str(), rows[2][0].as_str()), ("1", "2"));
-    for run in 1..=4 {
-        let path = program.path(&format!("runs/run-000{run}.mcap"));
-        assert_eq!(path.exists(), run <= 2, "{run}: no row, no recording");
-    }
-    // Rows that took their time are not thrown away by a command that forgets them.
-    let call = program.call(&sweep);
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    assert!(
-        call.err
-            .contains("bees-runs.csv.unfinished has 2 runs of a sweep that is not whole"),
-        "{}",
-        call.err
-    );
-}
-
-#[cfg(unix)]
-#[test]
-fn a_sweep_that_was_broken_off_goes_on_to_the_same_table() {
-    let program = Program::new();
-    program.write("bees.toml", &endless());
-    let sweep = |more: &[&str]| {
-        let all = [
-            "sweep",
-            "bees.toml",
-            "--jobs",
-            "2",
-            "--vary",
-            "run.end_time=1 s,2 s",
-        ];
-        good(program.call(&[&all, more].concat()))
-    };
-    sweep(&["-o", "whole.csv", "-q"]);
-    let whole = std::fs::read(program.path("whole.csv")).expect("a table");
-    // The first four runs of either seed end, then both workers are held.
-    let first = ["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"];
-    let call = interrupted(&program, &first, 4);
-    assert_eq!(call.code, Some(130), "{}", call.err);
-    // As a crash leaves it: the last row is cut off.
-    let path = program.path("bees-runs.csv.unfinished");
-    let rows = std::fs::read(&path).expect("rows");
-    std::fs::write(&path, &rows[..rows.len() - 20]).expect("written");
-    let call = sweep(&["--resume"]);
-    assert!(
-        call.err.lines().any(|l| l == "3 of 16 runs are done"),
-        "{}",
-        call.err
-    );
-    let resumed = std::fs::read(program.path("bees-runs.csv")).expect("a table");
-    assert!(resumed == whole, "the same bytes");
-    assert!(!path.exists(), "it is whole");
-    let call = sweep(&["--resume", "--dry-run"]);
-    assert!(call.err.contains("16 runs in its sweep"), "{}", call.err);
-}
-
-#[cfg(unix)]
-#[test]
-fn a_sweep_does_not_go_on_with_rows_of_another_scenario() {
-    let program = Program::new();
-    program.write("bees.toml", &endless());
-    let sweep = ["sweep", "bees.toml", "--jobs", "2", "--seeds", "1"];
-    let call = interrupted(&program, &sweep, 4);
-    assert_eq!(call.code, Some(130), "{}", call.err);
-    let resume = |more: &[&str]| {
-        let arguments = [
-            sweep.as_slice(),
-            &["--vary", "run.end_time=1 s", "--resume"],
-            more,
-        ]
-        .concat();
-        program.call(&arguments)
-    };
-    program.write("bees.toml", &endless().replace("4 m", "5 m"));
-    let call = resume(&[]);
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    let said = "--resume: the scenario has changed, so the 4 runs in bees-runs.csv.unfinished may be others now";
-    assert!(call.err.contains(said), "{}", call.err);
-    program.write("bees.toml", &endless());
-    let call = resume(&["--vary", "model.0.name=bee"]);
-    assert!(
-        call.err.contains("--resume: what varied was"),
-        "{}",
-        call.err
-    );
-    let call = resume(&["--restart"]);
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    // Without the runs that had no end all are there.
-    let call = good(resume(&[]));
-    assert!(call.err.contains("4 of 4 runs are done"), "{}", call.err);
-    assert_eq!(table(&program, "bees-runs.csv").len(), 5);
-    program.write("bees-runs.csv.unfinished", "my own\n");
-    let call = program.call(&["sweep", "bees.toml", "--resume"]);
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    assert!(call.err.contains("it is something else"), "{}", call.err);
-}
-
-#[test]
-fn recordings_of_a_longer_sweep_are_not_mixed_with_those_of_this_one() {
-    let program = program();
-    let sweep = |seeds| {
-        let seeds = ["--seeds", seeds];
-        program.call(
-            &[
-                ["sweep", "bees.toml", "-q", "--record", "runs"].as_slice(),
-                &seeds,
-            ]
-            .concat(),
-        )
-    };
-    good(sweep("2"));
-    let call = sweep("1");
-    assert_eq!(call.code, Some(2), "{}", call.err);
-    assert!(
-        call.err.contains("run-0005.mcap is of a longer sweep"),
-        "{}",
-        call.err
-    );
-    good(sweep("2"));
-}
-
 #[test]
 fn an_old_scenario_sweeps_as_it_looped() {
     let program = Program::new();
@@ -536,96 +307,6 @@ fn an_old_scenario_sweeps_as_it_looped() {
         "{}",
         call.out
     );
-}
-
-/// Four runs at each place, of two sizes; a fifth that failed.
-const RUNS: &str = "\
-run,seed,n,far,trace_hash,ended,error,virtual_s,spread [m],near [m],loss
-1,1,5,10 m,a,end time,,1,1.0,0.5,0.1
-2,1,5,20 m,b,end time,,1,2.0,0.5,0.2
-3,2,5,10 m,c,end time,,1,3.0,0.6,0.1
-4,2,5,20 m,d,end time,,1,4.0,0.6,0.3
-5,1,9,10 m,e,end time,,1,6.0,0.7,0.1
-6,1,9,20 m,f,end time,,1,7.0,0.7,0.2
-7,2,9,10 m,g,end time,,1,8.0,0.8,0.1
-8,2,9,20 m,h,failed,it fell,0,,,
-";
-
-#[test]
-fn a_picture_of_a_sweep_has_its_axes_its_keys_and_says_what_it_is_of() {
-    let program = Program::new();
-    program.write("runs.csv", RUNS);
-    let plot = [
-        "plot", "sweep", "runs.csv", "-o", "a.svg", "--x", "far", "--metric", "spread",
-    ];
-    let svg = |more: &[&str]| {
-        good(program.call(&[&plot, more].concat()));
-        std::fs::read_to_string(program.path("a.svg")).expect("a picture")
-    };
-    let alone = svg(&[]);
-    for words in [
-        ">far, m</text>",
-        ">spread, m</text>",
-        // No spread is below zero.
-        "7 runs; 2 seeds at each place, averaged over n: mean, and where it is with 95 % confidence, cut at 0; dots: the runs; 1 failed and are left out",
-    ] {
-        assert!(alone.contains(words), "{words} in {alone}");
-    }
-    assert!(!alone.contains("n = 5"));
-    let split = svg(&["--by", "n"]);
-    assert!(split.contains(">n = 5</text>") && split.contains(">n = 9</text>"));
-    let two = svg(&["--metric", "near", "--metric", "loss"]);
-    for words in [
-        ">spread, near, m</text>",
-        ">loss</text>",
-        ">near</text>",
-        ">spread</text>",
-    ] {
-        assert!(two.contains(words), "{words} in {two}");
-    }
-    // Words: bars.
-    program.write("runs.csv", &RUNS.replace("20 m", "open field"));
-    let words = svg(&[]);
-    assert!(words.contains(">open field</text>") && words.contains(">10 m</text>"));
-    let png = [
-        "plot", "sweep", "runs.csv", "-o", "a.png", "--x", "seed", "--metric", "loss",
-    ];
-    good(program.call(&png));
-}
-
-#[test]
-fn what_a_table_does_not_have_is_guessed() {
-    let program = Program::new();
-    program.write("runs.csv", RUNS);
-    for (arguments, word) in [
-        (["--x", "fra", "--metric", "spread"], "did you mean `far`?"),
-        (
-            ["--x", "far", "--metric", "spreed"],
-            "did you mean `spread`?",
-        ),
-        (
-            ["--x", "trace_hash", "--metric", "loss"],
-            "it has seed, n, far",
-        ),
-        (["--x", "far", "--metric", "error"], "has no such number"),
-    ] {
-        let plot = ["plot", "sweep", "runs.csv", "-o", "a.svg"];
-        let call = program.call(&[plot.as_slice(), arguments.as_slice()].concat());
-        assert_eq!(call.code, Some(2), "{}", call.err);
-        assert!(call.err.contains(word), "{word}: {}", call.err);
-    }
-    let plot = [
-        "plot",
-        "sweep",
-        "nothing.csv",
-        "-o",
-        "a.svg",
-        "--x",
-        "n",
-        "--metric",
-        "loss",
-    ];
-    assert_eq!(program.call(&plot).code, Some(2));
 }
 
 #[test]

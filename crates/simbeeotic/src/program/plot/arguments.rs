@@ -1,5 +1,6 @@
 //! What can be drawn, and the options of each kind.
 
+use super::column::NARROW;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -17,8 +18,8 @@ Examples:
   simbeeotic plot sweep runs.csv -o contacts.svg --x model.bee.count --metric contacts
 
 The file's ending says what it becomes: .svg or .png. Several recordings, or a folder of them, are runs of one
-experiment: series, histogram, coverage and links draw the mean over them with its 95 % confidence, traces all of
-them on one map; for each value of `--by` apart.
+experiment: traces draws all of them on one map, rssi pools them, and all others draw the mean over them with its
+95 % confidence; for each value of `--by` apart.
 Links, delivery and RSSI are drawn from the links that the recorder writes, for at most 256 radios: the
 scenario's, or those that its `packets` names.";
 
@@ -36,11 +37,11 @@ move (hives, beacons) are squares with their names. A ring is where a flight sta
 const SERIES_EXAMPLES: &str = "\
 Numbers that can be drawn:
   speed, climb, altitude, x, y, z    of each vehicle (z and altitude: above the origin of the world)
-  distance:hive, distance:0,0,5      of each vehicle from a model, or from a place (east, north, up, m)
+  distance:hive, distance:0,0,5      of each vehicle from a model, or a place (east, north, up, m)
   packets/sent, received, overheard, lost, lost/REASON, delivery
                                      of all radios, or of those that --models takes, in each period
   bee-*/battery/soc, neighbors       metrics, by their names or by the last part of them
-  bee-*/imu:fx                       what sensors read, by sensor and column; --truth: what was true, too
+  bee-*/imu:fx                       what sensors read, by sensor and column; --truth: and the truth
 
 Examples:
   simbeeotic plot series run.mcap -o soc.svg --metric 'bee-*/battery/soc' --each
@@ -109,7 +110,7 @@ pub(in crate::program) enum Plot {
     Delivery(DistanceOptions),
     /// How loud it is received, over distance; frames of several recordings are pooled
     Rssi(DistanceOptions),
-    /// Why frames were lost, over time; several recordings are added up
+    /// Why frames were lost, over time; of several recordings in the mean
     Losses(LossOptions),
     /// What runs come to over what was varied, from the table that `simbeeotic sweep` writes
     #[command(after_help = SWEEP_EXAMPLES)]
@@ -137,12 +138,15 @@ pub(crate) struct SweepPlotOptions {
     /// What stands above it
     #[arg(long)]
     pub(crate) title: Option<String>,
-    /// Its width in pixels
+    /// No title, and no line below it: for a paper, whose caption says it
+    #[arg(long)]
+    pub(crate) plain: bool,
+    /// Its width in pixels; of less than 700 the key stands below, and the picture is higher by it
     #[arg(long, value_name = "PIXELS", default_value_t = 1000, value_parser = pixels)]
     pub(crate) width: u32,
-    /// Its height in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 700, value_parser = pixels)]
-    pub(crate) height: u32,
+    /// Its height in pixels [default: 700, less if it is narrow]
+    #[arg(long, value_name = "PIXELS", value_parser = height)]
+    pub(crate) height: Option<u32>,
 }
 
 /// What all pictures have.
@@ -157,12 +161,15 @@ pub(crate) struct PlotOptions {
     /// What stands above it
     #[arg(long)]
     pub(crate) title: Option<String>,
-    /// Its width in pixels
+    /// No title, and no line below it: for a paper, whose caption says it
+    #[arg(long)]
+    pub(crate) plain: bool,
+    /// Its width in pixels; of less than 700 the key stands below, and the picture is higher by it
     #[arg(long, value_name = "PIXELS", default_value_t = 1000, value_parser = pixels)]
     pub(crate) width: u32,
-    /// Its height in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 700, value_parser = pixels)]
-    pub(crate) height: u32,
+    /// Its height in pixels [default: 700, less if it is narrow, or in 3-D and needs less]
+    #[arg(long, value_name = "PIXELS", value_parser = height)]
+    pub(crate) height: Option<u32>,
     /// Only what is recorded from this time on: "10 s"
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) from: Option<String>,
@@ -380,13 +387,25 @@ pub(crate) struct LossOptions {
     /// Draw frames that were out of range, too
     #[arg(long)]
     pub(crate) all: bool,
+    /// Of several recordings: what sets them apart: a value of the scenario (model.bee.count), seed, file
+    /// [default: they are runs of one and the same]
+    #[arg(long, value_name = "KEY")]
+    pub(crate) by: Option<String>,
 }
 
 /// Smaller pictures have no room for their words; larger ones are slips of the keyboard.
 fn pixels(text: &str) -> Result<u32, String> {
+    side(text, 400)
+}
+
+fn height(text: &str) -> Result<u32, String> {
+    side(text, 300)
+}
+
+fn side(text: &str, least: u32) -> Result<u32, String> {
     match text.parse() {
-        Ok(pixels) if (400..=8000).contains(&pixels) => Ok(pixels),
-        _ => Err("a side has 400 to 8000 pixels".to_owned()),
+        Ok(pixels) if (least..=8000).contains(&pixels) => Ok(pixels),
+        _ => Err(format!("it has {least} to 8000 pixels")),
     }
 }
 
@@ -406,10 +425,29 @@ impl Plot {
     }
 }
 
+/// The height of a picture, unless it is said; of a narrow one so much of its width.
+const HEIGHT: u32 = 700;
+const ASPECT: f64 = 0.9;
+
+fn size(width: u32, height: Option<u32>) -> [u32; 2] {
+    let usual = match width < NARROW {
+        true => (ASPECT * f64::from(width)).round() as u32,
+        false => HEIGHT,
+    };
+    [width, height.unwrap_or(usual)]
+}
+
+impl SweepPlotOptions {
+    /// Width and height, pixels.
+    pub(super) fn size(&self) -> [u32; 2] {
+        size(self.width, self.height)
+    }
+}
+
 impl PlotOptions {
     /// Width and height, pixels.
     pub(super) fn size(&self) -> [u32; 2] {
-        [self.width, self.height]
+        size(self.width, self.height)
     }
 
     pub(super) fn title<'a>(&'a self, or: &'a str) -> &'a str {

@@ -7,7 +7,7 @@ use super::band::{half_width, mean, means, of_seeds, times, units};
 use super::cells::{Cells, cells};
 use super::flights::Flights;
 use super::grid::{Grid, Seen};
-use super::map::{Column, LEGEND};
+use super::map::Column;
 use super::palette::{dashes, series};
 use super::quantity::{Curve, without};
 use super::sheet::{HEAD, Sheet};
@@ -265,7 +265,10 @@ fn over_time(sheet: &mut Sheet, groups: &[Group], runs: &[Run]) {
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
     let all = times(runs.iter().map(|run| &run.share));
     let ends = [all.first(), all.last()].map(|t| t.copied().unwrap_or(0.0));
-    let legend = if groups.len() > 1 { LEGEND } else { 8.0 };
+    let legend = match groups.len() {
+        1 => 8.0,
+        _ => sheet.key_room(),
+    };
     let lines: Vec<_> = (groups.iter())
         .map(|group| {
             let mine = group.places.iter().map(|at| &runs[*at]);

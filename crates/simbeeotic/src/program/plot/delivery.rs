@@ -5,9 +5,9 @@ use super::arguments::DistanceOptions;
 use super::axes::{Axis, Panel, grouped, nice};
 use super::band::{half_width, mean, units};
 use super::chart::{Curve, MARKERS, curve_band, curve_line, curve_mark, curve_whiskers};
-use super::map::{Column, LEGEND};
+use super::map::Column;
 use super::palette::{dashes, series};
-use super::sheet::{Anchor, FAINT, HEAD, SMALL, Sheet};
+use super::sheet::{HEAD, Sheet};
 use super::source::{Source, Sources};
 use super::stats::{BINS_MAX, Bin, Bins, quantile, wilson};
 use super::sweep::groups;
@@ -66,9 +66,10 @@ pub(super) fn delivery(sources: &Sources, options: &DistanceOptions) -> Result<S
     for curve in &curves {
         curve_line(&mut sheet, &upper, curve);
         if groups.len() > 1 {
-            let [x, y] = column.line_at();
-            column.line(&mut sheet, curve.ink, 1.8, &curve.name);
-            curve_mark(&mut sheet, curve.marker, curve.ink, [x, y]);
+            column.mark(&mut sheet, &curve.name, |sheet, [x, y]| {
+                sheet.line(vec![[x - 12.0, y], [x + 12.0, y]], curve.ink, 1.8);
+                curve_mark(sheet, curve.marker, curve.ink, [x, y]);
+            });
         }
     }
     said(
@@ -230,7 +231,7 @@ impl Levels {
 /// What is drawn, above a panel at its right.
 fn said(sheet: &mut Sheet, panel: &Panel, text: &str) {
     let [_, top, right, _] = panel.edges;
-    sheet.words([right, top - 9.0], text, SMALL, Anchor::End, FAINT);
+    sheet.note([right, top - 9.0], text);
 }
 
 /// The links by distance, and what the picture is of.
@@ -332,7 +333,7 @@ fn most(bins: &Bins, part: fn(&Bin) -> u64) -> u64 {
 /// The large panel, and the small one with the numbers of frames below it.
 fn panels(sheet: &Sheet, bins: &Bins, y: Axis, most: u64, keyed: bool) -> (Panel, Panel) {
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
-    let key = if keyed { LEGEND } else { 4.0 };
+    let key = if keyed { sheet.key_room() } else { 4.0 };
     let (left, right, bottom) = (96.0, width - 24.0 - key, height - 62.0);
     let top = HEAD + 24.0;
     let split = top + 0.72 * (bottom - top);

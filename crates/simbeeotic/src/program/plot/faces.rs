@@ -127,24 +127,21 @@ mod tests {
 
     #[test]
     fn the_faces_of_every_form_look_outwards() {
+        let round = |top_m: f64| Form::Cylinder {
+            radius_m: 1.0,
+            top_m,
+            half_height_m: 1.0,
+        };
+        let half_m = [1.0, 2.0, 3.0];
+        let (radius_m, half_height_m) = (0.5, 1.0);
         for form in [
-            Form::Box {
-                half_m: [1.0, 2.0, 3.0],
-            },
-            Form::Sphere { radius_m: 1.0 },
-            Form::Cylinder {
-                radius_m: 1.0,
-                top_m: 0.0,
-                half_height_m: 1.0,
-            },
-            Form::Cylinder {
-                radius_m: 1.0,
-                top_m: 1.0,
-                half_height_m: 1.0,
-            },
+            Form::Box { half_m },
+            Form::Sphere { radius_m },
+            round(0.0),
+            round(1.0),
             Form::Capsule {
-                radius_m: 0.5,
-                half_height_m: 1.0,
+                radius_m,
+                half_height_m,
             },
         ] {
             let piece = Piece::at_origin(form);

@@ -4,7 +4,7 @@ use super::super::Failure;
 use super::arguments::{BandKind, HistogramOptions};
 use super::axes::{Axis, Panel, grouped, nice, number};
 use super::band::{band, mean, quantile, units};
-use super::map::{Column, LEGEND};
+use super::map::Column;
 use super::palette::series;
 use super::quantity::{Quantity, read};
 use super::series::capital;
@@ -131,7 +131,8 @@ pub(super) fn histogram(sources: &Sources, options: &HistogramOptions) -> Result
     let span = times.map(|time_s| (time_s.max(0.0) * 1e9).round() as u64);
     let caption = sources.caption(span[0], span[1], &what);
     let mut sheet = Sheet::titled(width, height, options.plot.title(&title), &caption);
-    let names: Vec<&str> = heads.iter().map(|head| head.name.as_str()).collect();
+    let mut names: Vec<&str> = heads.iter().map(Quantity::short).collect();
+    names.dedup();
     let label = match heads[0].unit.as_str() {
         "" => names.join(", "),
         unit => format!("{}, {unit}", names.join(", ")),
@@ -156,10 +157,18 @@ impl Bins {
         let span = high - low;
         let width = match width {
             Some(width) if width > 0.0 && span / width < BINS_EVER => width,
+            Some(width) if width > 0.0 => {
+                let digits = |end: f64| number(end, 1e-3 * span);
+                return Err(Failure::input(format!(
+                    "--bin {width}: {} bins would reach from {} to {}; {BINS_EVER} are the most",
+                    grouped(&(span / width).ceil().to_string()),
+                    digits(low),
+                    digits(high)
+                )));
+            }
             Some(width) => {
                 return Err(Failure::input(format!(
-                    "--bin {width}: it must be more than zero, and at most {BINS_EVER} of them reach from \
-                     {low} to {high}"
+                    "--bin {width}: it must be more than zero"
                 )));
             }
             None => {
@@ -229,7 +238,12 @@ fn draw(sheet: &mut Sheet, pools: &[Pool], bins: Bins, label: String) {
     let most = tops.fold(0.0, f64::max);
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
     let panel = Panel {
-        edges: [96.0, HEAD + 10.0, width - LEGEND - 24.0, height - 62.0],
+        edges: [
+            96.0,
+            HEAD + 10.0,
+            width - sheet.key_room() - 24.0,
+            height - 62.0,
+        ],
         x: Axis::exact(label, bins.low, bins.end(bins.count), 8.0),
         y: Axis::stretched("share of the values, %", 0.0, most, 6.0),
     };
@@ -350,5 +364,20 @@ mod tests {
             assert_eq!(bins.count, 1, "{value}: {bins:?}");
             assert!(bins.low <= value && value < bins.low + bins.width);
         }
+    }
+
+    #[test]
+    fn a_width_that_cannot_be_says_why_in_few_digits() {
+        let values = [0.0, 1.924_833_829_192_960_8];
+        let said = |width: f64| match Bins::of(&values, Some(width)) {
+            Ok(bins) => format!("{bins:?}"),
+            Err(failure) => failure.message,
+        };
+        assert_eq!(said(0.0), "--bin 0: it must be more than zero");
+        assert_eq!(said(f64::NAN), "--bin NaN: it must be more than zero");
+        assert_eq!(
+            said(0.0001),
+            "--bin 0.0001: 19,249 bins would reach from 0.000 to 1.925; 2000 are the most"
+        );
     }
 }

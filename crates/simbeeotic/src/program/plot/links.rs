@@ -14,8 +14,8 @@ use super::sweep::{Group, map_groups};
 /// More names hide what is below.
 const NAMES_MAX: usize = 60;
 /// In less, names and legend find no room, pixels.
-const WIDTH_MIN: u32 = 600;
-const HEIGHT_MIN: u32 = 400;
+const WIDTH_MIN: u32 = 400;
+const HEIGHT_MIN: u32 = 300;
 const NODE: Ink = Ink::new([0x26, 0x2b, 0x33]);
 /// A delivery ratio that may be farther off than this is drawn dashed.
 const UNSURE: f64 = 0.1;

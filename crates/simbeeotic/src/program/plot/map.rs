@@ -2,6 +2,7 @@
 //! keep out of each other's way, and the columns at the right.
 
 use super::axes::{Axis, Panel, nice, number};
+use super::column::{Bar, Entry, NARROW};
 use super::sheet::{Anchor, FAINT, HEAD, Ink, NORMAL, SMALL, Sheet, TEXT};
 use simbeeotic_view::render::words;
 
@@ -71,7 +72,12 @@ pub(super) fn heading(sheet: &mut Sheet, panel: &Panel, name: &str) {
 /// Where maps go: left, top, right, bottom.
 fn room(sheet: &Sheet) -> [f64; 4] {
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
-    [96.0, HEAD + 8.0, width - LEGEND - 20.0, height - 62.0]
+    [
+        96.0,
+        HEAD + 8.0,
+        width - sheet.key_room() - 20.0,
+        height - 62.0,
+    ]
 }
 
 /// A panel in edges, with one scale in both directions, that shows all between the bounds.
@@ -98,7 +104,16 @@ fn panel(edges: [f64; 4], [west, south, east, north]: [f64; 4]) -> Panel {
         x: axis("east, m", west, east, wide),
         y: axis("north, m", south, north, tall),
     };
-    let step = panel.x.step.max(panel.y.step);
+    let (fine, coarse) = (
+        panel.x.step.min(panel.y.step),
+        panel.x.step.max(panel.y.step),
+    );
+    let few = |axis: &Axis| axis.high - axis.low < 2.5 * coarse;
+    let step = if few(&panel.x) || few(&panel.y) {
+        fine
+    } else {
+        coarse
+    };
     (panel.x.step, panel.y.step) = (step, step);
     panel
 }
@@ -222,17 +237,41 @@ impl Column {
         }
     }
 
-    /// At the right of a picture of a width, from a height to another.
+    /// At the right of a picture of a width, from a height to another; below a narrow picture there is room for all.
     pub(super) fn at(width: f64, top: f64, bottom: f64) -> Self {
         Self {
             left: width - LEGEND + 4.0,
             y: top,
-            bottom,
+            bottom: match width < f64::from(NARROW) {
+                true => f64::INFINITY,
+                false => bottom,
+            },
         }
     }
 
-    /// Words.
+    /// Draws one thing of it.
+    fn entry<T>(&mut self, sheet: &mut Sheet, draw: impl FnOnce(&mut Self, &mut Sheet) -> T) -> T {
+        let (first, y) = (sheet.shapes.len(), self.y);
+        let drawn = draw(self, sheet);
+        sheet.key.push(Entry {
+            shapes: first..sheet.shapes.len(),
+            corner: [self.left, y - 14.0],
+            height: self.y - y,
+            bar: None,
+            leads: false,
+        });
+        drawn
+    }
+
+    /// Words above what they are of.
     pub(super) fn say(&mut self, sheet: &mut Sheet, text: &str, ink: Ink) {
+        self.entry(sheet, |column, sheet| column.write(sheet, text, ink));
+        if let Some(entry) = sheet.key.last_mut() {
+            entry.leads = true;
+        }
+    }
+
+    fn write(&mut self, sheet: &mut Sheet, text: &str, ink: Ink) {
         let size = SMALL.min(SMALL * (LEGEND - 10.0) / words::width(text, SMALL).max(1.0));
         sheet.words([self.left, self.y], text, size, Anchor::Start, ink);
         self.y += 20.0;
@@ -245,11 +284,6 @@ impl Column {
     /// How many lines there is still room for.
     pub(super) fn room(&self) -> usize {
         ((self.bottom - self.y) / 20.0).max(0.0) as usize
-    }
-
-    /// The middle of the next line's sample.
-    pub(super) fn line_at(&self) -> [f64; 2] {
-        [self.left + 12.0, self.y - 5.0]
     }
 
     /// What a line's colour says.
@@ -266,26 +300,20 @@ impl Column {
         dash: Option<[f64; 2]>,
         text: &str,
     ) {
-        let y = self.y - 5.0;
-        sheet.line_with(
-            vec![[self.left, y], [self.left + 24.0, y]],
-            ink,
-            width,
-            dash,
-        );
-        self.beside_mark(sheet, text);
+        self.entry(sheet, |column, sheet| {
+            let [left, y] = [column.left, column.y - 5.0];
+            sheet.line_with(vec![[left, y], [left + 24.0, y]], ink, width, dash);
+            column.beside_mark(sheet, text);
+        });
     }
 
     /// What a dashed line's colour says.
     pub(super) fn dashes(&mut self, sheet: &mut Sheet, ink: Ink, text: &str) {
-        let y = self.y - 5.0;
-        sheet.dashed(
-            vec![[self.left, y], [self.left + 24.0, y]],
-            ink,
-            1.3,
-            [5.0, 4.0],
-        );
-        self.beside_mark(sheet, text);
+        self.entry(sheet, |column, sheet| {
+            let [left, y] = [column.left, column.y - 5.0];
+            sheet.dashed(vec![[left, y], [left + 24.0, y]], ink, 1.3, [5.0, 4.0]);
+            column.beside_mark(sheet, text);
+        });
     }
 
     /// What a mark says; it is drawn around the place that it is told.
@@ -295,8 +323,10 @@ impl Column {
         text: &str,
         draw: impl FnOnce(&mut Sheet, [f64; 2]),
     ) {
-        draw(sheet, [self.left + 12.0, self.y - 5.0]);
-        self.beside_mark(sheet, text);
+        self.entry(sheet, |column, sheet| {
+            draw(sheet, [column.left + 12.0, column.y - 5.0]);
+            column.beside_mark(sheet, text);
+        });
     }
 
     fn beside_mark(&mut self, sheet: &mut Sheet, text: &str) {
@@ -326,30 +356,57 @@ impl Column {
         step: f64,
         ink: impl Fn(f64) -> Ink,
     ) {
-        self.say(sheet, label, TEXT);
+        let bar = self.entry(sheet, |column, sheet| {
+            column.bar(sheet, label, [low, high], step, ink)
+        });
+        if let Some(entry) = sheet.key.last_mut() {
+            entry.bar = Some(bar);
+        }
+    }
+
+    fn bar(
+        &mut self,
+        sheet: &mut Sheet,
+        label: &str,
+        [low, high]: [f64; 2],
+        step: f64,
+        ink: impl Fn(f64) -> Ink,
+    ) -> Bar {
+        self.write(sheet, label, TEXT);
         self.y -= 6.0;
         let (left, y) = (self.left, self.y);
         let (wide, tall) = (18.0, 180.0_f64.min(self.bottom - self.y).max(40.0));
         let parts = 60_u32;
         let share = |part: u32| (f64::from(part) + 0.5) / f64::from(parts);
-        let inks = (0..parts).rev().map(|part| ink(share(part))).collect();
-        sheet.cells([left, y, left + wide, y + tall], 1, inks);
+        let inks: Vec<Ink> = (0..parts).map(|part| ink(share(part))).collect();
+        let upwards = inks.iter().rev().copied().collect();
+        sheet.cells([left, y, left + wide, y + tall], 1, upwards);
         let mut axis = Axis::exact("", low, high, 4.0);
         axis.step = axis.step.max(step);
-        for (value, text) in axis.ticks() {
-            let at = y + tall * (1.0 - (value - axis.low) / (axis.high - axis.low));
+        let ticks = axis.ticks().into_iter();
+        let ticks = ticks.map(|(value, text)| ((value - axis.low) / (axis.high - axis.low), text));
+        let ticks: Vec<(f64, String)> = ticks.collect();
+        for (share, text) in &ticks {
+            let at = y + tall * (1.0 - share);
             sheet.line(vec![[left + wide, at], [left + wide + 5.0, at]], TEXT, 1.0);
             let at = [left + wide + 10.0, at + 5.0];
-            sheet.words(at, text, SMALL, Anchor::Start, TEXT);
+            sheet.words(at, text.as_str(), SMALL, Anchor::Start, TEXT);
         }
         self.y += tall + 34.0;
+        Bar {
+            label: label.to_owned(),
+            inks,
+            ticks,
+        }
     }
 
     /// Words of less weight, line by line.
     pub(super) fn note(&mut self, sheet: &mut Sheet, lines: &[&str]) {
-        for line in lines {
-            self.say(sheet, line, FAINT);
-        }
+        self.entry(sheet, |column, sheet| {
+            for line in lines {
+                column.write(sheet, line, FAINT);
+            }
+        });
     }
 }
 

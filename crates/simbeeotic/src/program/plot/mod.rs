@@ -12,6 +12,7 @@ pub(super) mod axes;
 pub(super) mod band;
 mod cells;
 pub(super) mod chart;
+mod column;
 mod coverage;
 mod delivery;
 mod faces;
@@ -93,7 +94,8 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
         if same_file(&options.table, &options.output) {
             return Err(Failure::input("--output: this is the table itself"));
         }
-        return save(&over::over(options)?, &options.output, format);
+        let sheet = over::over(options)?.laid_out(options.plain);
+        return save(&sheet, &options.output, format);
     }
     let Some(options) = what.options() else {
         return Ok(());
@@ -111,5 +113,5 @@ pub(super) fn plot(what: &Plot) -> Result<(), Failure> {
         Plot::Losses(options) => losses::losses(&sources, options),
         Plot::Sweep(options) => over::over(options),
     }?;
-    save(&sheet, &options.output, format)
+    save(&sheet.laid_out(options.plain), &options.output, format)
 }

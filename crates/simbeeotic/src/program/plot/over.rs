@@ -7,6 +7,7 @@ use super::arguments::SweepPlotOptions;
 use super::axes::{Axis, Panel};
 use super::band::{half_width, mean, units};
 use super::chart::{Curve, MARKERS, curve_band, curve_line, curve_mark, curve_spread};
+use super::column::Entry;
 use super::limits::Limits;
 use super::palette::series;
 use super::runs::{Column, Runs, Values};
@@ -279,7 +280,7 @@ fn draw(
     values: &Values,
     parts: &[Part],
 ) -> Sheet {
-    let (width, height) = (options.width, options.height);
+    let [width, height] = options.size();
     let names: Vec<&str> = options.metric.iter().map(String::as_str).collect();
     let title = format!("{} over {}", names.join(", "), short(&x.name));
     let title = options.title.as_deref().unwrap_or(&title);
@@ -290,7 +291,10 @@ fn draw(
         .flat_map(|part| &part.lines)
         .map(|line| words::width(&line.name, SMALL) + 54.0);
     let room = match keyed {
-        true => key_width.fold(0.0, f64::max).min(0.4 * f64::from(width)),
+        true => key_width
+            .fold(0.0, f64::max)
+            .min(0.4 * f64::from(width))
+            .min(sheet.key_room() * 2.0),
         false => 0.0,
     };
     let (left, right) = (96.0, f64::from(width) - 28.0 - room);
@@ -381,7 +385,7 @@ fn key(sheet: &mut Sheet, panel: &Panel, part: &Part) {
     let [_, top, right, _] = panel.edges;
     for (at, line) in part.lines.iter().enumerate() {
         let [x, y] = [right + 14.0, top + 8.0 + 23.0 * at as f64];
-        let ink = series(line.colour);
+        let (ink, first) = (series(line.colour), sheet.shapes.len());
         sheet.line(vec![[x, y], [x + 26.0, y]], ink, 2.2);
         curve_mark(
             sheet,
@@ -391,6 +395,13 @@ fn key(sheet: &mut Sheet, panel: &Panel, part: &Part) {
         );
         let place = [x + 36.0, y + 5.0];
         sheet.words(place, line.name.as_str(), SMALL, Anchor::Start, TEXT);
+        sheet.key.push(Entry {
+            shapes: first..sheet.shapes.len(),
+            corner: [x, y - 9.0],
+            height: 23.0,
+            bar: None,
+            leads: false,
+        });
     }
 }
 

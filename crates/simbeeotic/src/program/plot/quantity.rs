@@ -47,11 +47,22 @@ pub(super) struct Quantity {
 }
 
 impl Quantity {
+    /// The name without the models that it is of: of `bee-*/battery/soc` it is `battery/soc`.
+    pub(super) fn short(&self) -> &str {
+        let mut rest = self.name.as_str();
+        while let Some((model, name)) = rest.split_once('/')
+            && model.contains(['*', '?'])
+        {
+            rest = name;
+        }
+        rest
+    }
+
     /// What stands beside an axis.
     pub(super) fn label(&self) -> String {
         match self.unit.as_str() {
-            "" => self.name.clone(),
-            unit => format!("{}, {unit}", self.name),
+            "" => self.short().to_owned(),
+            unit => format!("{}, {unit}", self.short()),
         }
     }
 
@@ -504,6 +515,24 @@ fn readings(source: &Source, name: &str, models: &[String]) -> Result<Option<Qua
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_axis_says_the_number_and_not_the_pattern() {
+        let label = |name: &str, unit: &str| {
+            let (name, unit) = (name.to_owned(), unit.to_owned());
+            let quantity = Quantity {
+                name,
+                unit,
+                ..Quantity::default()
+            };
+            quantity.label()
+        };
+        assert_eq!(label("*/battery/soc", ""), "battery/soc");
+        assert_eq!(label("hive-*/bee-?/imu:fx", "m/s^2"), "imu:fx, m/s^2");
+        assert_eq!(label("bee-1/battery/soc", ""), "bee-1/battery/soc");
+        assert_eq!(label("packets/delivery", ""), "packets/delivery");
+        assert_eq!(label("bee-*", "mg"), "bee-*, mg");
+    }
 
     #[test]
     fn a_curve_is_straight_between_its_points_and_a_held_one_is_steps() {

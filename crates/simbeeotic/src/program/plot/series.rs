@@ -6,7 +6,7 @@ use super::axes::{Axis, Panel};
 use super::band::{Mean, averaged, means, of_seeds, times};
 use super::limits::Limits;
 use super::lines::simplified;
-use super::map::{Column, LEGEND};
+use super::map::Column;
 use super::palette::{dashes, series};
 use super::quantity::{Curve, Quantity, read};
 use super::sheet::{HEAD, Ink, Sheet, TEXT};
@@ -353,7 +353,7 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
     }
     let (width, height) = (f64::from(sheet.width), f64::from(sheet.height));
     let named = drawn.iter().filter(|line| !line.name.is_empty()).count();
-    let legend = if named > 1 { LEGEND } else { 8.0 };
+    let legend = if named > 1 { sheet.key_room() } else { 8.0 };
     let (top, bottom) = (HEAD + 10.0, height - 62.0);
     let each = (bottom - top + 22.0) / units.len() as f64;
     let x = Axis::exact("time, s", first, last, (width - legend) / 90.0);
@@ -379,7 +379,8 @@ fn draw(sheet: &mut Sheet, heads: &[Quantity], drawn: &[Drawn], [first, last]: [
         let label = match of.as_slice() {
             [one] => one.label(),
             several => {
-                let names: Vec<&str> = several.iter().map(|q| q.name.as_str()).collect();
+                let mut names: Vec<&str> = several.iter().map(|q| q.short()).collect();
+                names.dedup();
                 match *unit {
                     "" => names.join(", "),
                     unit => format!("{}, {unit}", names.join(", ")),

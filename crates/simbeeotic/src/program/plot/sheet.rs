@@ -1,6 +1,7 @@
 //! What a picture is made of, whatever file it becomes: lines, areas, discs, words, in pixels from the
 //! upper left corner.
 
+use super::column::Entry;
 use simbeeotic_view::render::words;
 
 /// A colour, and how much of it covers what is below.
@@ -146,6 +147,11 @@ pub(crate) struct Sheet {
     pub(crate) width: u32,
     pub(crate) height: u32,
     pub(crate) shapes: Vec<Shape>,
+    /// What stands beside it and says what is on it, and the places of notes among the shapes, with their texts.
+    pub(crate) key: Vec<Entry>,
+    pub(crate) notes: Vec<(usize, String)>,
+    /// Of how many shapes the title and the line below it are.
+    pub(crate) head: usize,
 }
 
 /// Size of words, pixels.
@@ -185,6 +191,9 @@ impl Sheet {
             width,
             height,
             shapes: Vec::new(),
+            key: Vec::new(),
+            notes: Vec::new(),
+            head: 0,
         };
         let room = f64::from(width) - 48.0;
         let fit = |text: &str, size: f64| size.min(size * room / words::width(text, size).max(1.0));
@@ -202,7 +211,14 @@ impl Sheet {
                 said(&mut sheet, 68.0, second, CLOSE, FAINT);
             }
         }
+        sheet.head = sheet.shapes.len();
         sheet
+    }
+
+    /// A line that says what bands and bars are, and ends at a place.
+    pub(crate) fn note(&mut self, at: [f64; 2], text: &str) {
+        self.notes.push((self.shapes.len(), text.to_owned()));
+        self.words(at, text, SMALL, Anchor::End, FAINT);
     }
 
     pub(crate) fn line(&mut self, points: Vec<[f64; 2]>, ink: Ink, width: f64) {

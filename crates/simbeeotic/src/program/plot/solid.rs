@@ -9,12 +9,15 @@ use super::map::Column;
 use super::sheet::{Anchor, FAINT, GRID, HEAD, Ink, NORMAL, SMALL, Sheet, TEXT, WHITE};
 use super::traces::{Paints, Scene, parts, pen, station};
 use simbeeotic_units::{Angle, math};
+use simbeeotic_view::render::words;
 
 const BLACK: Ink = Ink::new([0; 3]);
 /// Of more faces than these the rest is left out, and it is said.
 const FACES_MAX: usize = 40_000;
 /// Vehicles with a line down to the ground.
 const DROPS_MAX: usize = 40;
+/// A picture that is cropped has room for its words at least, pixels.
+const HEIGHT_LEAST: u32 = 300;
 /// Links of a trace that are drawn in the order of their depth.
 const LINKS: usize = 24;
 
@@ -62,7 +65,9 @@ pub(super) fn draw(
         )));
     }
     let room = Room::around(scene);
-    let eye = Eye::fitting(sheet, &room, azimuth, elevation);
+    // Unless it is said how high the picture is, it is no higher than what it shows.
+    let crop = options.plot.height.is_none();
+    let eye = Eye::fitting(sheet, &room, [azimuth, elevation], crop);
     floor(sheet, &eye, &room);
     let mut things = Vec::new();
     let left_out = world(&mut things, &eye, scene, options, &room);
@@ -132,7 +137,7 @@ impl Room {
 }
 
 impl Eye {
-    fn fitting(sheet: &Sheet, room: &Room, azimuth: f64, elevation: f64) -> Self {
+    fn fitting(sheet: &mut Sheet, room: &Room, [azimuth, elevation]: [f64; 2], crop: bool) -> Self {
         let (sin_a, cos_a) = math::sin_cos(azimuth);
         let (sin_e, cos_e) = math::sin_cos(elevation);
         // Towards the eye: an azimuth is clockwise from north.
@@ -151,12 +156,18 @@ impl Eye {
             [low, along().fold(f64::NEG_INFINITY, f64::max)]
         };
         let [[left, right], [top, bottom]] = [ends(0), ends(1)];
-        let frame = [
-            90.0,
-            HEAD + 16.0,
-            f64::from(sheet.width) - super::map::LEGEND - 40.0,
-            f64::from(sheet.height) - 70.0,
+        let mut frame = [
+            100.0,
+            HEAD + 34.0,
+            f64::from(sheet.width) - sheet.key_room() - 60.0,
+            f64::from(sheet.height) - 80.0,
         ];
+        if crop {
+            let needed = (frame[2] - frame[0]) * (bottom - top) / (right - left);
+            let spare = (frame[3] - frame[1] - needed).max(0.0);
+            sheet.height -= (spare.floor() as u32).min(sheet.height.saturating_sub(HEIGHT_LEAST));
+            frame[3] = f64::from(sheet.height) - 80.0;
+        }
         let scale =
             ((frame[2] - frame[0]) / (right - left)).min((frame[3] - frame[1]) / (bottom - top));
         eye.pixels_each_m = scale;
@@ -173,6 +184,14 @@ impl Eye {
             self.origin[0] + self.pixels_each_m * dot(right, point),
             self.origin[1] - self.pixels_each_m * dot(up, point),
         ]
+    }
+
+    /// A direction of the world as a unit vector on the picture.
+    fn direction(&self, along: [f64; 3]) -> [f64; 2] {
+        let [a, b] = [self.pixel([0.0; 3]), self.pixel(along)];
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let long = (dx * dx + dy * dy).sqrt().max(1e-9);
+        [dx / long, dy / long]
     }
 
     /// The greater, the nearer.
@@ -233,37 +252,64 @@ fn floor(sheet: &mut Sheet, eye: &Eye, room: &Room) {
     let [towards_east, towards_north, _] = eye.axes[2];
     let near_x = if towards_east > 0.0 { east } else { west };
     let near_y = if towards_north > 0.0 { north } else { south };
-    let out = |from: [f64; 2], along: [f64; 3]| {
-        let [a, b] = [eye.pixel([0.0; 3]), eye.pixel(along)];
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let long = (dx * dx + dy * dy).sqrt().max(1e-9);
-        move |far: f64| [from[0] + dx / long * far, from[1] + dy / long * far]
-    };
     let side = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
-    let mut label = |from: [f64; 2], along: [f64; 3], value: f64| {
-        let place = out(from, along);
-        sheet.line(vec![place(0.0), place(5.0)], TEXT, 1.0);
-        let [x, y] = place(19.0);
-        let text = number(value, room.step);
-        sheet.words([x, y + 5.0], text, SMALL, Anchor::Middle, TEXT);
-    };
-    for x in ticks([west, east]) {
-        label(corner(x, near_y), [0.0, side(towards_north), 0.0], x);
-    }
     // Where both axes meet, one number is enough.
-    for y in ticks([south, north]).filter(|y| (y - near_y).abs() > 0.5 * room.step) {
-        label(corner(near_x, y), [side(towards_east), 0.0, 0.0], y);
+    let norths = ticks([south, north]).filter(|y| (y - near_y).abs() > 0.5 * room.step);
+    Edge {
+        name: "east, m",
+        ticks: (ticks([west, east]).map(|x| (corner(x, near_y), x))).collect(),
+        middle: corner(0.5 * (west + east), near_y),
+        out: eye.direction([0.0, side(towards_north), 0.0]),
     }
-    let [x, y] = out(
-        corner(0.5 * (west + east), near_y),
-        [0.0, side(towards_north), 0.0],
-    )(48.0);
-    sheet.words([x, y + 5.0], "east, m", NORMAL, Anchor::Middle, TEXT);
-    let [x, y] = out(
-        corner(near_x, 0.5 * (south + north)),
-        [side(towards_east), 0.0, 0.0],
-    )(52.0);
-    sheet.words([x, y + 5.0], "north, m", NORMAL, Anchor::Middle, TEXT);
+    .draw(sheet, room.step);
+    Edge {
+        name: "north, m",
+        ticks: norths.map(|y| (corner(near_x, y), y)).collect(),
+        middle: corner(near_x, 0.5 * (south + north)),
+        out: eye.direction([side(towards_east), 0.0, 0.0]),
+    }
+    .draw(sheet, room.step);
+}
+
+/// An edge of the floor with numbers, and its name beside them.
+struct Edge {
+    name: &'static str,
+    /// Where they are, and what they are, m.
+    ticks: Vec<([f64; 2], f64)>,
+    middle: [f64; 2],
+    /// Away from the floor: a unit vector on the picture.
+    out: [f64; 2],
+}
+
+impl Edge {
+    fn draw(self, sheet: &mut Sheet, step: f64) {
+        let numbers: Vec<String> = self
+            .ticks
+            .iter()
+            .map(|(_, value)| number(*value, step))
+            .collect();
+        let widest = numbers.iter().map(|text| self.reach(text, SMALL));
+        let widest = widest.fold(0.0, f64::max);
+        for ((from, _), text) in self.ticks.iter().zip(numbers) {
+            let end = self.beyond(*from, 5.0);
+            sheet.line(vec![*from, end], TEXT, 1.0);
+            let [x, y] = self.beyond(*from, 8.0 + widest);
+            sheet.words([x, y + 5.0], text, SMALL, Anchor::Middle, TEXT);
+        }
+        let far = 8.0 + 2.0 * widest + 6.0 + self.reach(self.name, NORMAL);
+        let [x, y] = self.beyond(self.middle, far);
+        sheet.words([x, y + 5.0], self.name, NORMAL, Anchor::Middle, TEXT);
+    }
+
+    fn beyond(&self, [x, y]: [f64; 2], far: f64) -> [f64; 2] {
+        [x + self.out[0] * far, y + self.out[1] * far]
+    }
+
+    /// How far words around a place reach outwards, pixels.
+    fn reach(&self, text: &str, size: f64) -> f64 {
+        let [dx, dy] = self.out.map(f64::abs);
+        0.5 * (dx * words::width(text, size) + dy * size)
+    }
 }
 
 /// The axis of heights, at the corner that is farthest to the left.

@@ -1,18 +1,24 @@
 //! Traces: who flew where, from above, over the map of the world.
 
+mod marks;
+mod paints;
+
+pub(super) use marks::station;
+pub(super) use paints::{Paints, parts, pen};
+
 use super::super::{Failure, remark};
 use super::arguments::{ColorBy, TraceOptions};
 use super::axes::Panel;
 use super::flights::{Flight, Flights};
-use super::ground::{Ground, MarkKind, draw_mark};
+use super::ground::Ground;
 use super::lines::{clipped, simplified};
-use super::map::{Column, Names, axes, heading, maps, north, scale_bar};
+use super::map::{Column, axes, heading, maps, north, scale_bar};
 use super::names;
-use super::palette::{ramp, series};
-use super::sheet::{FAINT, Ink, SMALL, Sheet, WHITE};
+use super::sheet::{Ink, Sheet};
 use super::solid;
 use super::source::{Source, Sources};
 use super::sweep::{Group, map_groups};
+use marks::{ends, legend, rest, stations};
 use simbeeotic_record::Stage;
 use simbeeotic_units::Length;
 
@@ -22,19 +28,12 @@ pub(super) const COLOURS: usize = 7;
 const NAMES_MAX: usize = 40;
 /// The same on each of several maps.
 const NAMES_FEW: usize = 6;
-/// Of more flights the places where they start are not marked.
-const STARTS_MAX: usize = 150;
 /// What the pen cannot show, pixels.
 const TOLERANCE: f64 = 0.3;
 /// More points than these make a file large, and no picture better.
 const POINTS_MAX: usize = 40_000;
-/// Parts of a trace that changes its colour: of one, and of all together.
-const PARTS: usize = 48;
-const PARTS_ALL: usize = 800;
 /// A world that would leave less than this share of the map to the flights is not drawn whole.
 const SHARE_LEAST: f64 = 0.4;
-/// Who stays where it is, and has no colour of its own.
-const STATION: Ink = Ink::new([0x26, 0x2b, 0x33]);
 
 /// What is drawn on one map: a recording, or several, one over the other.
 pub(super) struct Scene {
@@ -233,7 +232,7 @@ fn draw(
         } else {
             NAMES_MAX
         };
-        names(sheet, panel, scene, ground.as_ref(), most);
+        marks::names(sheet, panel, scene, ground.as_ref(), most);
         if scenes.len() > 1 {
             heading(sheet, panel, &scene.name);
         }
@@ -257,145 +256,6 @@ fn around(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
         a[2].max(b[2]),
         a[3].max(b[3]),
     ]
-}
-
-/// What the colours of the traces say.
-pub(super) enum Paints {
-    /// One each.
-    Vehicle,
-    /// Names of the groups.
-    Kind(Vec<String>),
-    /// Names of the runs.
-    Run(Vec<String>),
-    /// From the first to the last time, s.
-    Time([f64; 2]),
-    /// From the lowest to the highest, m.
-    Altitude([f64; 2]),
-}
-
-impl Paints {
-    fn of(scenes: &[Scene], wanted: Option<ColorBy>, runs: Vec<String>) -> Self {
-        let moving = || scenes.iter().flat_map(|scene| &scene.moving);
-        let few = scenes.iter().all(|scene| scene.moving.len() <= COLOURS);
-        let by = wanted.unwrap_or(match few {
-            true => ColorBy::Vehicle,
-            false => ColorBy::Kind,
-        });
-        match by {
-            ColorBy::Vehicle => Self::Vehicle,
-            ColorBy::Kind => {
-                let mut groups: Vec<String> = Vec::new();
-                for flight in moving() {
-                    if !groups.iter().any(|group| group == flight.group()) {
-                        groups.push(flight.group().to_owned());
-                    }
-                }
-                Self::Kind(groups)
-            }
-            ColorBy::Run => Self::Run(runs),
-            ColorBy::Time => {
-                let first = scenes.iter().map(|scene| scene.times_ns[0]).min();
-                let last = scenes.iter().map(|scene| scene.times_ns[1]).max();
-                Self::Time([first, last].map(|time| time.unwrap_or(0) as f64 * 1e-9))
-            }
-            ColorBy::Altitude => {
-                let heights = || moving().flat_map(Flight::known).map(|p| p.1[2]);
-                let low = heights().fold(f64::INFINITY, f64::min);
-                let high = heights().fold(f64::NEG_INFINITY, f64::max);
-                Self::Altitude(if low < high { [low, high] } else { [0.0, 1.0] })
-            }
-        }
-    }
-
-    /// The colour of a flight at a time and a height; of those that do not change, at any.
-    pub(super) fn ink(&self, place: usize, flight: &Flight, at: usize, z: f64) -> Ink {
-        let share = |[low, high]: [f64; 2], at: f64| ramp((at - low) / (high - low).max(1e-9));
-        match self {
-            Self::Vehicle => series(place % COLOURS),
-            Self::Kind(groups) => {
-                series(groups.iter().position(|g| g == flight.group()).unwrap_or(0))
-            }
-            // More than are told apart are all alike.
-            Self::Run(names) if names.len() > COLOURS => series(0),
-            Self::Run(_) => series(flight.run),
-            Self::Time(ends) => share(*ends, flight.times_s.get(at).copied().unwrap_or(0.0)),
-            Self::Altitude(ends) => share(*ends, z),
-        }
-    }
-
-    /// Whether a flight has more than one colour.
-    pub(super) fn changes(&self) -> bool {
-        matches!(self, Self::Time(_) | Self::Altitude(_))
-    }
-
-    pub(super) fn legend(&self, sheet: &mut Sheet, column: &mut Column, scenes: &[Scene]) {
-        match self {
-            Self::Vehicle if scenes.iter().all(|scene| scene.moving.len() <= COLOURS) => {
-                let most = scenes.iter().max_by_key(|scene| scene.moving.len());
-                for (at, flight) in most.iter().flat_map(|scene| &scene.moving).enumerate() {
-                    column.line(sheet, series(at), 2.4, &flight.path);
-                }
-            }
-            Self::Vehicle => {
-                column.note(sheet, &["each flight has a", "colour; they repeat"]);
-            }
-            Self::Kind(groups) => {
-                for (at, group) in groups.iter().enumerate() {
-                    if at >= COLOURS {
-                        column.line(sheet, series(at), 2.4, "others");
-                        break;
-                    }
-                    let all = || scenes.iter().flat_map(|scene| &scene.moving);
-                    let text = match all().filter(|f| f.group() == group).count() {
-                        n if n > 1 && scenes.len() == 1 => format!("{group} ({n})"),
-                        _ => group.clone(),
-                    };
-                    column.line(sheet, series(at), 2.4, &text);
-                }
-            }
-            Self::Run(names) if names.len() > COLOURS => {
-                column.line(sheet, series(0), 2.4, &format!("{} runs", names.len()));
-            }
-            Self::Run(names) => {
-                for (at, name) in names.iter().enumerate() {
-                    column.line(sheet, series(at), 2.4, name);
-                }
-            }
-            Self::Time(ends) => column.colours(sheet, "time, s", *ends, ramp),
-            Self::Altitude(ends) => column.colours(sheet, "height, m", *ends, ramp),
-        }
-        column.gap();
-    }
-}
-
-/// How thick a trace is and how much it covers, when there are so many.
-pub(super) fn pen(count: usize) -> (f64, f64) {
-    match count {
-        0..=7 => (1.8, 0.9),
-        8..=30 => (1.3, 0.75),
-        31..=150 => (1.0, 0.5),
-        151..=1000 => (0.8, 0.3),
-        _ => (0.7, 0.15),
-    }
-}
-
-/// The parts of one of so many flights that have one colour each, and the place of a point in the middle of each.
-pub(super) fn parts(
-    paints: &Paints,
-    points: &[(usize, [f64; 3])],
-    flights: usize,
-) -> Vec<(usize, std::ops::RangeInclusive<usize>)> {
-    let Some(last) = points.len().checked_sub(1).filter(|last| *last > 0) else {
-        return Vec::new();
-    };
-    let most = (PARTS_ALL / flights.max(1)).clamp(8, PARTS);
-    let count = if paints.changes() { most.min(last) } else { 1 };
-    (0..count)
-        .map(|part| {
-            let (from, to) = (part * last / count, (part + 1) * last / count);
-            ((from + to) / 2, from..=to)
-        })
-        .collect()
 }
 
 /// The traces, as coarse as their number needs.
@@ -425,125 +285,5 @@ fn lines(sheet: &mut Sheet, panel: &Panel, scene: &Scene, paints: &Paints) {
             sheet.line(points, ink.thin(alpha), width);
         }
         return;
-    }
-}
-
-/// A ring where a flight starts, a dot where it ends.
-fn ends(sheet: &mut Sheet, panel: &Panel, scene: &Scene, paints: &Paints) {
-    let radius = match scene.moving.len() {
-        0..=7 => 5.0,
-        8..=30 => 4.0,
-        31..=150 => 2.6,
-        _ => 1.4,
-    };
-    for (place, flight) in scene.moving.iter().enumerate() {
-        let mut known = flight.known();
-        let Some(first) = known.next() else { continue };
-        let last = known.last().unwrap_or(first);
-        let ink = |(at, p): (usize, [f64; 3])| paints.ink(place, flight, at, p[2]);
-        let at = |(_, [x, y, _]): (usize, [f64; 3])| panel.place(x, y);
-        if scene.moving.len() <= STARTS_MAX {
-            sheet.disc(at(first), radius, ink(first), 0.0);
-            sheet.disc(at(first), radius - 1.3, WHITE, 0.0);
-        }
-        sheet.disc(
-            at(last),
-            radius,
-            ink(last),
-            if radius > 2.0 { 1.0 } else { 0.0 },
-        );
-    }
-}
-
-/// Squares for those that stay where they are.
-fn stations(sheet: &mut Sheet, panel: &Panel, scene: &Scene) {
-    for [x, y] in scene.still.iter().filter_map(rest) {
-        station(sheet, panel.place(x, y), scene.still.len());
-    }
-}
-
-/// The square of one that stays where it is.
-pub(super) fn station(sheet: &mut Sheet, [x, y]: [f64; 2], count: usize) {
-    let half = if count > 60 { 2.2 } else { 4.5 };
-    let square = |half: f64| ([x - half, y - half], [x + half, y + half]);
-    let (a, b) = square(half + 1.2);
-    sheet.rectangle(a, b, WHITE);
-    let (a, b) = square(half);
-    sheet.rectangle(a, b, STATION);
-}
-
-fn rest(flight: &Flight) -> Option<[f64; 2]> {
-    flight.known().next().map(|(_, [x, y, _])| [x, y])
-}
-
-fn names(sheet: &mut Sheet, panel: &Panel, scene: &Scene, ground: Option<&Ground>, most: usize) {
-    let still = scene.still.iter().filter_map(|flight| {
-        let [x, y] = rest(flight)?;
-        Some((panel.place(x, y), flight.path.clone()))
-    });
-    let mut named: Vec<([f64; 2], String)> = still.collect();
-    if named.len() > most {
-        // Of many, those that are alone of their kind: the hive among the beacons.
-        let group = |path: &str| {
-            let of = scene.still.iter().find(|flight| flight.path == path);
-            let group = of.map_or("", |flight| flight.group());
-            scene.still.iter().filter(|f| f.group() == group).count()
-        };
-        named.retain(|(_, path)| group(path) == 1);
-    }
-    let marks = ground.map_or(&[][..], |ground| ground.marks.as_slice());
-    let marks = marks.iter().filter(|mark| {
-        mark.kind != MarkKind::Flower && mark.kind != MarkKind::Light && !mark.label.is_empty()
-    });
-    let marks: Vec<_> = marks.collect();
-    if marks.len() + named.len() <= most {
-        for mark in marks {
-            let [x, y] = mark.place_m;
-            named.push((panel.place(x, y), mark.label.clone()));
-        }
-    }
-    let [left, top, right, bottom] = panel.edges;
-    named.retain(|([x, y], _)| (left..=right).contains(x) && (top..=bottom).contains(y));
-    let mut names = Names::around(panel.edges, named.iter().map(|(at, _)| *at));
-    for (at, text) in &named {
-        names.write(sheet, *at, text, SMALL, |_, _| 0.0);
-    }
-}
-
-/// What the marks say, below the colours.
-fn legend<'g>(
-    sheet: &mut Sheet,
-    column: &mut Column,
-    scenes: &[Scene],
-    grounds: impl Iterator<Item = &'g Ground>,
-) {
-    if scenes.iter().any(|scene| !scene.moving.is_empty()) {
-        if scenes.iter().any(|scene| scene.moving.len() <= STARTS_MAX) {
-            column.mark(sheet, "start", |sheet, at| {
-                sheet.disc(at, 4.5, FAINT, 0.0);
-                sheet.disc(at, 3.2, WHITE, 0.0);
-            });
-        }
-        column.mark(sheet, "end", |sheet, at| sheet.disc(at, 4.5, FAINT, 0.0));
-    } else {
-        column.note(sheet, &["nobody moved"]);
-    }
-    if scenes.iter().any(|scene| !scene.still.is_empty()) {
-        column.mark(sheet, "at rest", |sheet, at| station(sheet, at, 1));
-    }
-    let marks: Vec<_> = grounds.flat_map(|ground| &ground.marks).collect();
-    for (kind, text) in [
-        (MarkKind::Flower, "flower"),
-        (MarkKind::Person, "person"),
-        (MarkKind::Light, "light"),
-        (MarkKind::Source, "source of gas"),
-    ] {
-        if let Some(mark) = marks.iter().find(|mark| mark.kind == kind)
-            && column.room() > 0
-        {
-            column.mark(sheet, text, |sheet, at| {
-                draw_mark(sheet, at, kind, mark.ink, 25.0);
-            });
-        }
     }
 }

@@ -28,12 +28,12 @@ use unfinished::Unfinished;
 
 pub(super) const SWEEP_EXAMPLES: &str = "\
 Examples:
-  simbeeotic sweep scenarios/first-swarm.toml --seeds 10
+  simbeeotic sweep scenarios/first-swarm.toml --seeds 10 -o bees.csv
   simbeeotic sweep scenarios/first-swarm.toml --seeds 1..5 --vary \"model.bee.count=50,100,200\"
-  simbeeotic sweep scenarios/broadcast.toml --vary \"channel.range_limit=10 m..50 m step 10 m\" -o range.csv
+  simbeeotic sweep scenarios/broadcast.toml --vary \"channel.range_limit=10 m..50 m step 10 m\"
   simbeeotic sweep scenarios/first-swarm.toml --seeds 3 --record runs --dry-run
   simbeeotic sweep scenarios/first-swarm.toml --seeds 200 --resume
-  simbeeotic sweep scenarios/first-swarm.toml --seeds 10 --vary model.bee.count=50,100 --baseline count=50
+  simbeeotic sweep scenarios/talk.toml --seeds 10 --vary model.bee.count=10,20 --baseline count=10
   simbeeotic plot sweep first-swarm-runs.csv --x model.bee.count --metric contacts -o contacts.svg
 
 The table has one row a run: run, seed, the values that vary, trace_hash, ended, error, virtual_s,

@@ -191,7 +191,10 @@ impl Unfinished {
             )));
         }
         let rows = this.rows(sweep, &lines);
-        if rows.len() < lines.len() && !options.quiet {
+        if rows.len() < lines.len() {
+            // A seed that was forgotten must not cost the work of days.
+            let aside = set_aside(&path)
+                .map_err(|e| Failure::input(format!("cannot keep {}: {e}", path.display())))?;
             let rest = super::runs_said(lines.len() - rows.len());
             let why = match &options.record {
                 Some(_) => {
@@ -199,7 +202,13 @@ impl Unfinished {
                 }
                 None => "of no run of this sweep",
             };
-            remark(format!("{rest} in {} left out: {why}", path.display()));
+            if !options.quiet {
+                remark(format!(
+                    "{rest} in {} left out: {why}; the file is kept as {}",
+                    path.display(),
+                    aside.display()
+                ));
+            }
         }
         this.rewrite(sweep, &rows)
             .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
@@ -340,6 +349,22 @@ fn parsed(path: &Path, bytes: &[u8]) -> Result<(Head, Vec<Line>), Failure> {
             path.display()
         ))),
     }
+}
+
+/// Copies a file to a name beside it that nothing has; tells the name.
+fn set_aside(path: &Path) -> io::Result<PathBuf> {
+    let mut copy = path.as_os_str().to_owned();
+    copy.push(".old");
+    let mut free = PathBuf::from(&copy);
+    let mut number = 1;
+    while free.exists() {
+        number += 1;
+        let mut name = copy.clone();
+        name.push(format!("-{number}"));
+        free = PathBuf::from(name);
+    }
+    fs::copy(path, &free)?;
+    Ok(free)
 }
 
 #[cfg(test)]
