@@ -109,10 +109,12 @@ fn readings(scenario: &Path) -> Result<BTreeMap<String, Readings>, Box<dyn Error
 
 /// The size of a picture, and the room around what is drawn.
 const SIZE: [f64; 2] = [450.0, 300.0];
-const ROOM: [f64; 2] = [62.0, 34.0];
-/// The colours of the first columns of a reading.
-const COLORS: [&str; 3] = ["#c0392b", "#2471a3", "#1e8449"];
+const ROOM: [f64; 2] = [66.0, 44.0];
+/// The colours of the first columns of a reading, which the colour-blind tell apart, and that of the truth.
+const COLORS: [&str; 3] = ["#0072b2", "#d55e00", "#009e73"];
 const TRUTH: &str = "#b0b0b0";
+/// About so many numbers along an axis.
+const TICKS: f64 = 4.0;
 
 fn draw(name: &str, readings: &Readings) -> String {
     let [width, height] = SIZE;
@@ -170,31 +172,74 @@ impl Frame {
         ]
     }
 
-    /// The frame itself, with the numbers at its corners.
+    /// The frame itself, with numbers along its axes.
     fn draw(&self, svg: &mut String, unit: &str) {
         let ([left, bottom], [right, top]) = (self.place(self.low), self.place(self.high));
+        let (mut lines, mut words) = (String::new(), String::new());
+        for (time_s, text) in ticks(self.low[0], self.high[0]) {
+            let [x, _] = self.place([time_s, self.low[1]]);
+            let _ = write!(lines, "M{x:.1} {top:.1}V{bottom:.1}");
+            let _ = write!(
+                words,
+                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
+                bottom + 16.0
+            );
+        }
+        for (value, text) in ticks(self.low[1], self.high[1]) {
+            let [_, y] = self.place([self.low[0], value]);
+            let _ = write!(lines, "M{left:.1} {y:.1}H{right:.1}");
+            let _ = write!(
+                words,
+                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
+                left - 6.0,
+                y + 4.0
+            );
+        }
         let _ = write!(
             svg,
-            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"none\" \
-             stroke=\"#707070\"/>\n<g fill=\"#404040\"><text x=\"{:.1}\" y=\"{:.1}\" \
-             text-anchor=\"end\">{}</text><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>\
-             <text x=\"{left:.1}\" y=\"{:.1}\">{:.0} s</text><text x=\"{right:.1}\" y=\"{:.1}\" \
-             text-anchor=\"end\">{:.0} s</text><text x=\"{right:.1}\" y=\"20\" \
-             text-anchor=\"end\">{unit}</text></g>\n",
-            right - left,
-            bottom - top,
-            left - 5.0,
-            bottom,
-            short(self.low[1]),
-            left - 5.0,
-            top + 10.0,
-            short(self.high[1]),
-            bottom + 16.0,
-            self.low[0],
-            bottom + 16.0,
-            self.high[0],
+            "<path d=\"{lines}\" stroke=\"#e4e7eb\"/>\n<path d=\"M{left:.1} {top:.1}V{bottom:.1}H{right:.1}\" \
+             fill=\"none\" stroke=\"#707070\"/>\n<g fill=\"#404040\">{words}\
+             <text x=\"{right:.1}\" y=\"{:.1}\" text-anchor=\"end\">time, s</text>\
+             <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{unit}</text></g>\n",
+            bottom + 30.0,
+            left - 6.0,
+            top - 8.0,
         );
     }
+}
+
+/// Round numbers between two, with their texts.
+fn ticks(low: f64, high: f64) -> Vec<(f64, String)> {
+    let least = (high - low) / TICKS;
+    if !(least > 0.0 && least.is_finite()) {
+        return vec![(low, short(low))];
+    }
+    let mut power = 1.0;
+    while power > least {
+        power /= 10.0;
+    }
+    while power * 10.0 <= least {
+        power *= 10.0;
+    }
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|part| part * power);
+    let step = steps.into_iter().find(|step| *step >= 0.999 * least);
+    let step = step.unwrap_or(10.0 * power);
+    let mut decimals = 0;
+    let mut unit = step;
+    while unit < 0.999 && decimals < 9 {
+        unit *= 10.0;
+        decimals += 1;
+    }
+    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
+    (first..=last)
+        .map(|at| {
+            let value = at as f64 * step;
+            (
+                value,
+                format!("{value:.decimals$}").replace('-', "\u{2212}"),
+            )
+        })
+        .collect()
 }
 
 /// Four digits.
@@ -204,6 +249,23 @@ fn short(number: f64) -> String {
         size if size >= 100.0 => format!("{number:.0}"),
         size if size >= 1.0 => format!("{number:.2}"),
         _ => format!("{number:.3}"),
+    }
+}
+
+/// What the colours of columns are, at the right above the frame.
+fn key(svg: &mut String, names: &[&str]) {
+    let mut x = SIZE[0] - 20.0;
+    for (name, color) in names.iter().zip(COLORS).rev() {
+        let _ = write!(
+            svg,
+            "<text x=\"{x:.1}\" y=\"20\" text-anchor=\"end\" fill=\"#404040\">{name}</text>"
+        );
+        x -= 7.2 * name.chars().count() as f64 + 8.0;
+        let _ = writeln!(
+            svg,
+            "<circle cx=\"{x:.1}\" cy=\"16\" r=\"3.5\" fill=\"{color}\"/>"
+        );
+        x -= 14.0;
     }
 }
 
@@ -242,10 +304,11 @@ fn series(svg: &mut String, columns: &[Column], readings: &Readings) {
     for (side, end) in [&mut frame.low, &mut frame.high].into_iter().zip(ends) {
         side[0] = end.map_or(0.0, |(time, _)| *time);
     }
-    let mut words: Vec<&str> = shown.iter().map(|at| columns[*at].name).collect();
-    words.push(if first.unit == "1" { "" } else { first.unit });
-    words.retain(|word| !word.is_empty());
-    frame.draw(svg, &words.join(", "));
+    frame.draw(svg, if first.unit == "1" { "" } else { first.unit });
+    let names: Vec<&str> = shown.iter().map(|at| columns[*at].name).collect();
+    if names.iter().all(|name| !name.is_empty()) {
+        key(svg, &names);
+    }
     let single = readings.iter().all(|(_, taken)| taken.ideal.len() == width);
     for (color, at) in COLORS.iter().zip(shown) {
         let truth = over_time(readings, ideal, width, at);
@@ -272,7 +335,7 @@ fn series(svg: &mut String, columns: &[Column], readings: &Readings) {
         let read = over_time(readings, read, width, at)
             .into_iter()
             .filter(seen);
-        dots(svg, color, 1.3, read.map(|point| frame.place(point)));
+        dots(svg, color, 1.6, read.map(|point| frame.place(point)));
     }
 }
 
@@ -320,7 +383,7 @@ fn scan(svg: &mut String, readings: &Readings) {
     dots(
         svg,
         COLORS[0],
-        1.2,
+        1.5,
         read.iter().step_by(nth).map(|hit| place(*hit)),
     );
 }

@@ -331,4 +331,7 @@ fn the_means_that_are_printed_are_those_asked_for() {
         "{}",
         call.err
     );
+    // It is said while the other runs can still be stopped, too.
+    let early = "note: --metric contact: the first run that is done does not have it";
+    assert!(call.err.contains(early), "{}", call.err);
 }

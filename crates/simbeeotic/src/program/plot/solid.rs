@@ -466,8 +466,9 @@ mod tests {
             ends: [[-1.0, 1.0]; 3],
             step: 1.0,
         };
-        let sheet = Sheet::titled(1000, 700, "", "");
-        Eye::fitting(&sheet, &room, azimuth.to_radians(), elevation.to_radians())
+        let mut sheet = Sheet::titled(1000, 700, "", "");
+        let angles = [azimuth.to_radians(), elevation.to_radians()];
+        Eye::fitting(&mut sheet, &room, angles, false)
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What is printed of a sweep: its runs before they run, and means over seeds behind them.
 
-use super::rows::Rows;
+use super::rows::{Row, Rows};
 use crate::program::plot::{BandKind, band};
 use crate::program::remark;
 use crate::program::show::number;
@@ -118,20 +118,42 @@ pub(super) fn estimate(numbers: &mut [f64]) -> String {
     }
 }
 
+/// The name of a number without its unit.
+fn base(name: &str) -> &str {
+    name.split(" [").next().unwrap_or(name)
+}
+
+/// What was probably meant, of the numbers that there are.
+fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.map(base).collect();
+    match simbeeotic_units::did_you_mean(name, known.iter().copied()) {
+        Some(guess) => format!("did you mean `{guess}`?"),
+        None => format!("there is {}", known.join(", ")),
+    }
+}
+
+/// What is said of numbers that were asked for, and that a run does not have: while there are more runs to come, it may
+/// be a slip that can be mended yet.
+pub(super) fn missing(row: &Row, wanted: &[String]) -> Vec<String> {
+    let known = || row.numbers().map(|(name, _)| name);
+    let is_missing = |name: &&String| !known().any(|n| n == *name || base(n) == name.as_str());
+    let absent = wanted.iter().filter(is_missing);
+    let said = absent.map(|name| {
+        let help = meant(name, known());
+        format!("note: --metric {name}: the first run that is done does not have it; {help}")
+    });
+    said.collect()
+}
+
 /// The numbers that were asked for, with or without their units; a remark of each that there is not.
 fn asked_for(rows: &Rows, wanted: &[String]) -> Vec<String> {
-    let base = |name: &str| name.split(" [").next().unwrap_or(name).to_owned();
     let mut names = Vec::new();
     for name in wanted {
         match rows.names().iter().find(|n| *n == name || base(n) == *name) {
             Some(found) => names.push(found.clone()),
             None => {
-                let known: Vec<String> = rows.names().iter().map(|n| base(n)).collect();
-                let guess = simbeeotic_units::did_you_mean(name, known.iter().map(String::as_str));
-                let help = match guess {
-                    Some(guess) => format!("did you mean `{guess}`?"),
-                    None => format!("they have: {}", known.join(", ")),
-                };
+                let known = rows.names().iter().map(String::as_str);
+                let help = meant(name, known);
                 remark(format!("warning: --metric {name}: no run has it; {help}"));
             }
         }

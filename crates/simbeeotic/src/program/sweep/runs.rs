@@ -3,11 +3,11 @@
 use super::bar::{Bar, Counts};
 use super::rows::Row;
 use super::unfinished::Unfinished;
-use super::{SweepOptions, said};
+use super::{SweepOptions, report, said};
 use crate::program::outputs::RECORDER;
 use crate::program::run::{INTERRUPTED, at_interrupt, recorder};
 use crate::program::view::VIEWER;
-use crate::program::{Failure, complain, input};
+use crate::program::{Failure, complain, input, remark};
 use simbeeotic_kernel::pace::Control;
 use simbeeotic_kernel::{Progress, SimTime};
 use simbeeotic_model::{Setup, Simulation};
@@ -34,6 +34,8 @@ struct Shared<'a> {
     sweep: &'a Sweep,
     jobs: usize,
     record: Option<PathBuf>,
+    /// The numbers whose means are wanted.
+    metrics: &'a [String],
     /// The runs that are to be flown, and the place of the next among them.
     runs: Vec<usize>,
     next: AtomicUsize,
@@ -86,6 +88,7 @@ pub(super) fn run(
         sweep,
         jobs: jobs(options, runs.len()),
         record: options.record.clone(),
+        metrics: if options.quiet { &[] } else { &options.metric },
         runs,
         next: AtomicUsize::new(0),
         going: Arc::clone(&going),
@@ -157,6 +160,14 @@ fn work(shared: &Shared<'_>) {
         };
         let mut rows = lock(&shared.rows);
         let (rows, unfinished) = &mut *rows;
+        if row.error.is_empty() && rows.is_empty() && shared.sweep.len() > 1 {
+            for note in report::missing(&row, shared.metrics) {
+                match &shared.bar {
+                    Some(bar) => bar.aside(|| remark(&note)),
+                    None => remark(&note),
+                }
+            }
+        }
         // What failed is flown again.
         if row.error.is_empty() {
             unfinished.add(shared.sweep, &row);
