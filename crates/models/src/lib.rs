@@ -27,6 +27,7 @@ pub mod phase;
 pub mod propagation;
 pub mod radio;
 pub mod sensor;
+mod table;
 #[cfg(test)]
 mod trial;
 pub mod vehicle;

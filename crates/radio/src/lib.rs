@@ -72,7 +72,8 @@
 //! 4. [`simple`]: the medium of the paper, and how it is made fast;
 //! 5. [`phy`] and [`mod@ieee802154`]: air time, medium access and interference;
 //! 6. [`ledger`] and [`counters`]: time, charge and losses;
-//! 7. [`mod@drive`]: a medium by itself, without an engine.
+//! 7. [`mod@drive`]: a medium by itself, without an engine;
+//! 8. [`table`]: patterns of antennas and gains of links as text, and what is wrong with it.
 
 mod aim;
 pub mod antenna;
@@ -99,10 +100,9 @@ mod scratch;
 pub mod shadowing;
 pub mod simple;
 pub mod sx127x;
+pub mod table;
 
-pub use antenna::{
-    Antenna, Cosine, HalfWaveDipole, Isotropic, Patch, Pattern, PatternFault, ShortDipole,
-};
+pub use antenna::{Antenna, Cosine, HalfWaveDipole, Isotropic, Patch, Pattern, ShortDipole};
 pub use bit_errors::{Bitwise, Bpsk, Gfsk, Step};
 pub use channel::Channel;
 pub use counters::{Counters, Loss};
@@ -116,9 +116,10 @@ pub use medium::{Command, Medium, Poses};
 pub use phy::{Access, Acks, BitErrors, Cca, CcaMode, Csma, LinkQuality, OqpskDsss, Phy, Spacing};
 pub use propagation::{
     Composite, End, FrameKeys, FreeSpace, Ground, Link, LinkTable, Links, LogDistance, MissingLink,
-    Polarisation, Propagation, Remark, Role, TableFault, TwoRay, TwoRayExact, TwoRayForm,
+    Polarisation, Propagation, Remark, Role, TwoRay, TwoRayExact, TwoRayForm,
 };
 pub use radio::{Currents, Framing, RadioError, RadioId, RadioSpec, RadioState};
 pub use scratch::Scratch;
 pub use shadowing::Shadowing;
 pub use simple::{Delivery, DeliveryCurve, GilbertElliott, SimpleConfig, SimpleMedium};
+pub use table::TableFault;

@@ -119,6 +119,25 @@ impl RadioSpec {
         }
     }
 
+    /// Lets it send with another power, and draw another current meanwhile; returns the current that it drew
+    /// before. After an error it is as it was.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub(crate) fn set_power(
+        &mut self,
+        level: PowerLevel,
+        current: Current,
+    ) -> Result<Current, RadioError> {
+        let mut changed = self.clone();
+        changed.tx_power = level;
+        changed.currents.tx = current;
+        changed.check()?;
+        let before = self.currents.tx;
+        *self = changed;
+        Ok(before)
+    }
+
     /// Whether the numbers make sense.
     ///
     /// # Errors

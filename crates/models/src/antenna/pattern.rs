@@ -1,13 +1,11 @@
 //! An antenna from a table in a file.
 
+use crate::table::TableFile;
 use glam::{DVec3, Vec3};
 use simbeeotic_model::check::in_range;
 use simbeeotic_model::radio::{Antenna, Pattern};
 use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{BuildError, FromParams, Site, antenna, params};
-
-/// Faults shown of one file.
-const SHOWN: usize = 20;
 
 /// An antenna from a file: gains in dBi over azimuth and elevation, as a chamber or a field solver gives them.
 ///
@@ -51,28 +49,9 @@ impl FromParams for PatternAntenna {
             params.loss,
             Decibels::ZERO..=Decibels::from_db(60.0),
         )?;
-        if params.file.is_empty() {
-            let message = "must name a file with the columns azimuth, elevation and gain";
-            return Err(BuildError::parameter("file", message));
-        }
-        let path = site.file(&params.file);
-        let name = path.display();
-        let text = std::fs::read_to_string(&path).map_err(|error| {
-            BuildError::parameter("file", format!("cannot be read: {name}: {error}"))
-        })?;
-        let pattern = Pattern::read(&text, params.loss).map_err(|faults| {
-            let more = faults.len().saturating_sub(SHOWN);
-            let mut lines: Vec<String> = faults
-                .iter()
-                .take(SHOWN)
-                .map(|fault| format!("{name}:{fault}"))
-                .collect();
-            if more > 0 {
-                lines.push(format!("and {more} more"));
-            }
-            BuildError::parameter("file", format!("cannot be used: {}", lines.join("; ")))
-        })?;
-        Ok(Self(pattern))
+        let file = TableFile::read(site, &params.file, "azimuth, elevation and gain")?;
+        let pattern = Pattern::read(&file.text, params.loss);
+        pattern.map(Self).map_err(|faults| file.refused(&faults))
     }
 }
 

@@ -1,13 +1,9 @@
 //! Measured gains of links from a file.
 
-use simbeeotic_model::radio::{
-    Link, LinkTable, Links, MissingLink, Propagation, Remark, TableFault,
-};
+use crate::table::{TableFile, placed};
+use simbeeotic_model::radio::{Link, LinkTable, Links, MissingLink, Propagation, Remark};
 use simbeeotic_model::units::Decibels;
 use simbeeotic_model::{BuildError, FromParams, Site, choice, params, propagation};
-
-/// Faults shown of one file.
-const SHOWN: usize = 20;
 
 /// The gains of links as they were measured: a real deployment replayed. Where the ends are does not matter.
 ///
@@ -62,37 +58,16 @@ impl FromParams for LinkTablePropagation {
     }
 
     fn for_run(params: LinkTableParams, site: &Site<'_>) -> Result<Self, BuildError> {
-        if params.file.is_empty() {
-            let message = "must name a file with the columns tx, rx and gain_db or loss_db";
-            return Err(BuildError::parameter("file", message));
-        }
-        let path = site.file(&params.file);
-        let name = path.display();
-        let text = std::fs::read_to_string(&path).map_err(|error| {
-            BuildError::parameter("file", format!("cannot be read: {name}: {error}"))
-        })?;
+        let file = TableFile::read(site, &params.file, "tx, rx and gain_db or loss_db")?;
         let missing = match params.missing {
             Missing::Lost => MissingLink::Lost,
             Missing::FreeSpace => MissingLink::FreeSpace,
         };
-        let table = LinkTable::read(&text, params.symmetric, missing).map_err(|faults| {
-            let lines = listed(&name.to_string(), &faults);
-            BuildError::parameter("file", format!("cannot be used: {lines}"))
-        })?;
-        let file = name.to_string();
+        let table = LinkTable::read(&file.text, params.symmetric, missing)
+            .map_err(|faults| file.refused(&faults))?;
+        let file = file.name;
         Ok(Self { table, file })
     }
-}
-
-/// Faults of a file one after the other, each with its place.
-fn listed(file: &str, faults: &[TableFault]) -> String {
-    let more = faults.len().saturating_sub(SHOWN);
-    let shown = faults.iter().take(SHOWN);
-    let mut lines: Vec<String> = shown.map(|fault| format!("{file}:{fault}")).collect();
-    if more > 0 {
-        lines.push(format!("and {more} more"));
-    }
-    lines.join("; ")
 }
 
 impl Propagation for LinkTablePropagation {
@@ -113,7 +88,7 @@ impl Propagation for LinkTablePropagation {
                 fatal: false,
                 message: format!(
                     "has names that no radio has: {}",
-                    listed(&self.file, &strangers)
+                    placed(&self.file, &strangers)
                 ),
             });
         }

@@ -13,6 +13,7 @@
 //! the wind does not change along it. Between the points the wind is interpolated, linear in each of
 //! the four.
 
+use crate::table::listed;
 use glam::DVec3;
 use simbeeotic_model::schemars::JsonSchema;
 use simbeeotic_model::serde::{Deserialize, Serialize};
@@ -70,12 +71,8 @@ impl Grid {
             BuildError::parameter("grid", format!("cannot read {name}: {error}"))
         })?;
         let (axes, wind) = parse(&text).map_err(|faults| {
-            let more = faults.len().saturating_sub(SHOWN);
-            let mut shown: Vec<String> = faults.into_iter().take(SHOWN).collect();
-            if more > 0 {
-                shown.push(format!("and {more} more"));
-            }
-            BuildError::parameter("grid", format!("cannot use {name}: {}", shown.join("; ")))
+            let faults = listed(faults.into_iter(), SHOWN);
+            BuildError::parameter("grid", format!("cannot use {name}: {faults}"))
         })?;
         Ok(Self {
             axes,

@@ -43,7 +43,7 @@ pub use cosine::Cosine;
 pub use dipole::{HalfWaveDipole, ShortDipole};
 pub use isotropic::Isotropic;
 pub use patch::Patch;
-pub use pattern::{Pattern, PatternFault};
+pub use pattern::Pattern;
 
 use crate::radio::RadioError;
 use glam::{DVec3, Vec3};

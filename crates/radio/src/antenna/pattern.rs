@@ -25,10 +25,10 @@
 
 use super::Antenna;
 use crate::fast;
+use crate::table::{TableFault, cells, lines};
 use glam::{DVec3, Vec3};
 use simbeeotic_units::{Decibels, did_you_mean, math};
 use std::f64::consts::FRAC_PI_2;
-use std::fmt;
 
 /// A gain for each direction of a grid.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,23 +38,6 @@ pub struct Pattern {
     /// dBi; by elevation, then azimuth.
     gains_db: Vec<f64>,
     loss_db: f64,
-}
-
-/// What is wrong with a table, and where.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub struct PatternFault {
-    /// The line, from 1.
-    pub line: usize,
-    /// The character in the line, from 1.
-    pub column: usize,
-    /// What is wrong.
-    pub message: String,
-}
-
-impl fmt::Display for PatternFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}", self.line, self.column, self.message)
-    }
 }
 
 /// One coordinate of a grid: rising values in degrees.
@@ -76,7 +59,7 @@ impl Pattern {
     ///
     /// # Errors
     /// All that is wrong with the text.
-    pub fn read(text: &str, loss: Decibels) -> Result<Self, Vec<PatternFault>> {
+    pub fn read(text: &str, loss: Decibels) -> Result<Self, Vec<TableFault>> {
         let mut faults = Vec::new();
         let rows = rows(text, &mut faults);
         if !faults.is_empty() {
@@ -220,26 +203,11 @@ const NAMES: [(&str, Column); 5] = [
     ("gain", Column::Gain),
 ];
 
-/// The cells of a line with the columns that they begin in.
-fn cells(line: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut column = 1;
-    line.split(',').map(move |cell| {
-        let blank = cell.len() - cell.trim_start().len();
-        let place = column + cell[..blank].chars().count();
-        column += cell.chars().count() + 1;
-        (place, cell.trim())
-    })
-}
-
-fn header(number: usize, line: &str, faults: &mut Vec<PatternFault>) -> Vec<Column> {
+fn header(number: usize, line: &str, faults: &mut Vec<TableFault>) -> Vec<Column> {
     let mut columns: Vec<(Column, &str)> = Vec::new();
     let before = faults.len();
     for (column, name) in cells(line) {
-        let fault = |message| PatternFault {
-            line: number,
-            column,
-            message,
-        };
+        let fault = |message| TableFault::new(number, column, message);
         match NAMES.iter().find(|(known, _)| *known == name) {
             Some((_, kind)) => {
                 let height = |c| matches!(c, Column::Elevation | Column::Theta);
@@ -277,29 +245,25 @@ fn header(number: usize, line: &str, faults: &mut Vec<PatternFault>) -> Vec<Colu
             (&[Column::Gain], "`gain`"),
         ] {
             if !has(wanted) {
-                faults.push(PatternFault {
-                    line: number,
-                    column: 1,
-                    message: format!("there is no column {names}"),
-                });
+                faults.push(TableFault::new(
+                    number,
+                    1,
+                    format!("there is no column {names}"),
+                ));
             }
         }
     }
     columns.into_iter().map(|(column, _)| column).collect()
 }
 
-fn rows(text: &str, faults: &mut Vec<PatternFault>) -> Vec<Row> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut lines = (1..)
-        .zip(text.lines())
-        .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+fn rows(text: &str, faults: &mut Vec<TableFault>) -> Vec<Row> {
+    let mut lines = lines(text);
     let Some((number, first)) = lines.next() else {
-        faults.push(PatternFault {
-            line: 1,
-            column: 1,
-            message: "the table is empty: it begins with a line such as `azimuth, elevation, gain`"
-                .to_owned(),
-        });
+        faults.push(TableFault::new(
+            1,
+            1,
+            "the table is empty: it begins with a line such as `azimuth, elevation, gain`",
+        ));
         return Vec::new();
     };
     let columns = header(number, first, faults);
@@ -314,33 +278,33 @@ fn rows(text: &str, faults: &mut Vec<PatternFault>) -> Vec<Row> {
             rows.push(row);
         }
         if rows.len() > DIRECTIONS_MAX {
-            faults.push(PatternFault {
-                line: number,
-                column: 1,
-                message: format!("more than {DIRECTIONS_MAX} directions"),
-            });
+            faults.push(TableFault::new(
+                number,
+                1,
+                format!("more than {DIRECTIONS_MAX} directions"),
+            ));
             break;
         }
     }
     if rows.is_empty() && faults.is_empty() {
-        faults.push(PatternFault {
-            line: end,
-            column: 1,
-            message: "there is no direction below the header".to_owned(),
-        });
+        faults.push(TableFault::new(
+            end,
+            1,
+            "there is no direction below the header",
+        ));
     }
     rows
 }
 
-fn row(line: usize, text: &str, columns: &[Column], faults: &mut Vec<PatternFault>) -> Option<Row> {
+fn row(line: usize, text: &str, columns: &[Column], faults: &mut Vec<TableFault>) -> Option<Row> {
     let before = faults.len();
     let found = cells(text).count();
     if found != columns.len() {
-        faults.push(PatternFault {
+        faults.push(TableFault::new(
             line,
-            column: 1,
-            message: format!("{found} numbers where the header has {}", columns.len()),
-        });
+            1,
+            format!("{found} numbers where the header has {}", columns.len()),
+        ));
         return None;
     }
     let mut row = Row {
@@ -352,11 +316,7 @@ fn row(line: usize, text: &str, columns: &[Column], faults: &mut Vec<PatternFaul
     };
     for ((column, cell), kind) in cells(text).zip(columns) {
         let mut fault = |message| {
-            faults.push(PatternFault {
-                line,
-                column,
-                message,
-            });
+            faults.push(TableFault::new(line, column, message));
         };
         let Some(value) = cell.parse::<f64>().ok().filter(|v| v.is_finite()) else {
             fault(format!("`{cell}` is no number"));
@@ -409,7 +369,7 @@ fn place(values: &[f64], value: f64) -> usize {
     values.partition_point(|&v| v < value - SAME_DEG)
 }
 
-fn fill(rows: &[Row], azimuths: &[f64], elevations: &[f64]) -> Result<Vec<f64>, Vec<PatternFault>> {
+fn fill(rows: &[Row], azimuths: &[f64], elevations: &[f64]) -> Result<Vec<f64>, Vec<TableFault>> {
     let mut faults = Vec::new();
     let cells = azimuths.len().saturating_mul(elevations.len());
     let last = rows.last().map_or(1, |row| row.line);
@@ -420,11 +380,7 @@ fn fill(rows: &[Row], azimuths: &[f64], elevations: &[f64]) -> Result<Vec<f64>, 
             elevations.len(),
             rows.len()
         );
-        return Err(vec![PatternFault {
-            line: last,
-            column: 1,
-            message,
-        }]);
+        return Err(vec![TableFault::new(last, 1, message)]);
     }
     let mut from: Vec<Option<&Row>> = vec![None; cells];
     for row in rows {
@@ -433,26 +389,26 @@ fn fill(rows: &[Row], azimuths: &[f64], elevations: &[f64]) -> Result<Vec<f64>, 
         match from[at] {
             None => from[at] = Some(row),
             Some(first) if first.gain_db == row.gain_db => {}
-            Some(first) => faults.push(PatternFault {
-                line: row.line,
-                column: row.column,
-                message: format!(
+            Some(first) => faults.push(TableFault::new(
+                row.line,
+                row.column,
+                format!(
                     "azimuth {} elevation {} has a gain of {} here and of {} in line {}",
                     row.azimuth_deg, row.elevation_deg, row.gain_db, first.gain_db, first.line
                 ),
-            }),
+            )),
         }
     }
     for (at, _) in from.iter().enumerate().filter(|(_, row)| row.is_none()) {
-        faults.push(PatternFault {
-            line: last,
-            column: 1,
-            message: format!(
+        faults.push(TableFault::new(
+            last,
+            1,
+            format!(
                 "the grid has a hole: nothing for azimuth {} elevation {}",
                 azimuths[at % azimuths.len()],
                 elevations[at / azimuths.len()]
             ),
-        });
+        ));
     }
     if faults.is_empty() {
         Ok(from.into_iter().flatten().map(|row| row.gain_db).collect())

@@ -210,12 +210,8 @@ impl Medium for Ieee802154Medium {
                 self.due = Some(now);
             }
             Command::Power { level, current } => {
-                let mut spec = self.specs[id.index()].clone();
-                let old = std::mem::replace(&mut spec.currents.tx, current);
-                spec.tx_power = level;
-                spec.check()?;
-                radio.ledger.settle(old);
-                self.specs[id.index()] = spec;
+                let before = self.specs[id.index()].set_power(level, current)?;
+                radio.ledger.settle(before);
             }
         }
         Ok(())

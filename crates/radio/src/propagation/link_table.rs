@@ -2,6 +2,7 @@
 
 use super::free_space::FreeSpace;
 use super::{Link, Links, Propagation, Role};
+use crate::table::{TableFault, cells, lines};
 use simbeeotic_kernel::SimTime;
 use simbeeotic_kernel::rng::path_key;
 use simbeeotic_units::{Decibels, did_you_mean};
@@ -51,23 +52,6 @@ struct Sample {
     from: SimTime,
     loss_db: f64,
     gain: f32,
-}
-
-/// What is wrong with a table, and where.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TableFault {
-    /// Line, from 1.
-    pub line: usize,
-    /// Column of text, from 1.
-    pub column: usize,
-    /// What is wrong.
-    pub message: String,
-}
-
-impl fmt::Display for TableFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}", self.line, self.column, self.message)
-    }
 }
 
 /// For so many names that no radio has, the nearest is looked for.
@@ -171,11 +155,11 @@ impl LinkTable {
                 .then(|| did_you_mean(name, short))
                 .flatten();
             let guess = guess.map(|guess| format!("; did you mean `{guess}`?"));
-            strangers.push(TableFault {
-                line: *line,
-                column: *column,
-                message: format!("no radio is called `{name}`{}", guess.unwrap_or_default()),
-            });
+            strangers.push(TableFault::new(
+                *line,
+                *column,
+                format!("no radio is called `{name}`{}", guess.unwrap_or_default()),
+            ));
         }
         (strangers, connects)
     }
@@ -257,34 +241,13 @@ struct Reader<'t> {
     symmetric: bool,
 }
 
-/// The fields of a line, trimmed, each with its column of text.
-fn fields(line: &str) -> Vec<(usize, &str)> {
-    let mut at = 0;
-    line.split(',')
-        .map(|field| {
-            let lead = field.len() - field.trim_start().len();
-            let column = line[..at + lead].chars().count() + 1;
-            at += field.len() + 1;
-            (column, field.trim())
-        })
-        .collect()
-}
-
 impl<'t> Reader<'t> {
     fn fault(&mut self, line: usize, column: usize, message: impl Into<String>) {
-        let message = message.into();
-        self.faults.push(TableFault {
-            line,
-            column,
-            message,
-        });
+        self.faults.push(TableFault::new(line, column, message));
     }
 
     fn read(&mut self, text: &'t str) {
-        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-        let mut lines = lines
-            .map(|(at, line)| (at + 1, line))
-            .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+        let mut lines = lines(text);
         let Some((at, header)) = lines.next() else {
             return self.fault(1, 1, "the header is missing: tx, rx, gain_db");
         };
@@ -292,7 +255,8 @@ impl<'t> Reader<'t> {
             return;
         };
         for (at, line) in lines {
-            self.row(at, &fields(line), &columns);
+            let cells: Vec<_> = cells(line).collect();
+            self.row(at, &cells, &columns);
         }
         if self.rows.is_empty() && self.faults.is_empty() {
             self.fault(at, 1, "there are no links below the header");
@@ -301,7 +265,7 @@ impl<'t> Reader<'t> {
 
     fn header(&mut self, line: usize, header: &str) -> Option<Vec<Column>> {
         let mut columns = Vec::new();
-        for (at, word) in fields(header) {
+        for (at, word) in cells(header) {
             let Some((_, column)) = COLUMNS.iter().find(|(name, _)| *name == word) else {
                 let names = COLUMNS.map(|(name, _)| name);
                 let guess =

@@ -16,7 +16,7 @@ mod two_ray_exact;
 
 pub use composite::Composite;
 pub use free_space::FreeSpace;
-pub use link_table::{LinkTable, MissingLink, TableFault};
+pub use link_table::{LinkTable, MissingLink};
 pub use log_distance::LogDistance;
 pub use two_ray::{TwoRay, TwoRayForm};
 pub use two_ray_exact::{Ground, Polarisation, TwoRayExact};

@@ -324,12 +324,8 @@ impl Medium for SimpleMedium {
                 self.tuned.push(id);
             }
             Command::Power { level, current } => {
-                let mut spec = self.specs[id.index()].clone();
-                let old = std::mem::replace(&mut spec.currents.tx, current);
-                spec.tx_power = level;
-                spec.check()?;
-                radio.ledger.settle(old);
-                self.specs[id.index()] = spec;
+                let before = self.specs[id.index()].set_power(level, current)?;
+                radio.ledger.settle(before);
             }
         }
         Ok(())
