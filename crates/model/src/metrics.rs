@@ -61,16 +61,18 @@ pub struct ModelMetric {
 
 /// All metrics of a run.
 #[derive(Debug, Default)]
-pub(crate) struct Metrics(BTreeMap<(&'static str, &'static str), Series>);
+pub(crate) struct Metrics(BTreeMap<Metric, Tallies>);
 
-/// One name in one unit.
-#[derive(Debug)]
-struct Series {
+/// What is counted. The same name in another unit is another metric.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Metric {
     name: &'static str,
     unit: &'static str,
-    /// By model, up to the last that has published.
-    tallies: Vec<Tally>,
 }
+
+/// The values of one metric, by model, up to the last model that has published.
+#[derive(Debug, Default)]
+struct Tallies(Vec<Tally>);
 
 impl Metrics {
     pub(crate) fn add(
@@ -80,28 +82,19 @@ impl Metrics {
         value: f64,
         unit: &'static str,
     ) {
-        if value.is_nan() {
-            return;
+        if !value.is_nan() {
+            let tallies = self.0.entry(Metric { name, unit }).or_default();
+            tallies.of(model).add(value);
         }
-        let series = self.0.entry((name, unit)).or_insert_with(|| Series {
-            name,
-            unit,
-            tallies: Vec::new(),
-        });
-        let tallies = &mut series.tallies;
-        if tallies.len() <= model.index() {
-            tallies.resize(model.index() + 1, Tally::NONE);
-        }
-        tallies[model.index()].add(value);
     }
 
     /// What each model has published, by name, then by model.
     pub(crate) fn by_model(&self) -> Vec<ModelMetric> {
-        let all = self.0.values().flat_map(|series| {
-            series.published().map(|(model, values)| ModelMetric {
+        let all = self.0.iter().flat_map(|(&Metric { name, unit }, tallies)| {
+            tallies.published().map(move |(model, values)| ModelMetric {
                 model,
-                name: series.name,
-                unit: series.unit,
+                name,
+                unit,
                 values,
             })
         });
@@ -110,21 +103,30 @@ impl Metrics {
 
     /// What all models have published, by name.
     pub(crate) fn lines(&self) -> Vec<MetricLine> {
-        self.0.values().map(Series::line).collect()
+        let all = self.0.iter();
+        all.map(|(&metric, tallies)| tallies.line(metric)).collect()
     }
 }
 
-impl Series {
+impl Tallies {
+    fn of(&mut self, model: ModelId) -> &mut Tally {
+        let Self(tallies) = self;
+        if tallies.len() <= model.index() {
+            tallies.resize(model.index() + 1, Tally::NONE);
+        }
+        &mut tallies[model.index()]
+    }
+
     fn published(&self) -> impl Iterator<Item = (ModelId, Tally)> {
-        let all = self.tallies.iter().enumerate();
+        let all = self.0.iter().enumerate();
         all.filter(|(_, tally)| tally.count > 0)
             .map(|(model, tally)| (ModelId(model as u32), *tally))
     }
 
-    fn line(&self) -> MetricLine {
+    fn line(&self, Metric { name, unit }: Metric) -> MetricLine {
         let mut line = MetricLine {
-            name: self.name.to_owned(),
-            unit: self.unit.to_owned(),
+            name: name.to_owned(),
+            unit: unit.to_owned(),
             models: 0,
             count: 0,
             sum: 0.0,
@@ -158,7 +160,6 @@ mod tests {
             (2, "height", 3.0, "m"),
             (2, "pollen", f64::NAN, "1"),
             (2, "pollen", 3.0, "1"),
-            // The same name in another unit is another metric.
             (1, "height", 7.0, "ft"),
         ] {
             metrics.add(ModelId(model), name, value, unit);
