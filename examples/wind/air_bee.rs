@@ -81,15 +81,4 @@ impl Vehicle for AirBee {
         let drag = self.drag.on(platform, mass, other, step);
         platform.set_force(motors + drag);
     }
-
-    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
-        let yaw = platform.attitude().yaw() + angle;
-        platform.set_attitude(Attitude::from_yaw(yaw));
-    }
-
-    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
-        let way = (point - platform.position()).si();
-        let yaw = simbeeotic::units::math::atan2(way.y, way.x);
-        platform.set_attitude(Attitude::from_yaw(Yaw::new(Angle::si(yaw))));
-    }
 }

@@ -14,7 +14,7 @@ use crate::config::Params;
 use crate::host::Platform;
 use simbeeotic_kernel::Stream;
 use simbeeotic_physics::BodySpec;
-use simbeeotic_units::{Angle, Flu, Position, Time, Velocity};
+use simbeeotic_units::{Angle, Attitude, Flu, Position, Time, Velocity, Yaw, math};
 use std::sync::Arc;
 
 /// What a behaviour asks of its vehicle; it holds until it is changed.
@@ -61,11 +61,22 @@ pub trait Vehicle: Sized + Send + 'static {
     /// One step of the control law: sets the wrench on the body for the time until the next step.
     fn control(&mut self, setpoint: &Setpoint, platform: &mut Platform<'_>);
 
-    /// Turns about the body's up axis, counter-clockwise.
-    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>);
+    /// Turns about the body's up axis, counter-clockwise. Unless the vehicle says otherwise at once, and it is
+    /// upright then.
+    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
+        let yaw = platform.attitude().yaw() + angle;
+        platform.set_attitude(Attitude::from_yaw(yaw));
+    }
 
-    /// Points the body's forward axis at a place.
-    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>);
+    /// Points the body's forward axis at a place. Unless the vehicle says otherwise at once, and it is upright
+    /// then, whether the place lies higher or lower; for one straight above or below it does nothing.
+    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
+        let way = (point - platform.position()).si();
+        if way.truncate().length_squared() > 0.0 {
+            let yaw = Yaw::new(Angle::si(math::atan2(way.y, way.x)));
+            platform.set_attitude(Attitude::from_yaw(yaw));
+        }
+    }
 
     /// Called once, after the last event of the run: settles what is still owed.
     fn finish(&mut self, _setpoint: &Setpoint, _platform: &mut Platform<'_>) {}

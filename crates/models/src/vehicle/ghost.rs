@@ -15,10 +15,7 @@
 use glam::DVec3;
 use simbeeotic_model::check::{at_least_zero, positive};
 use simbeeotic_model::physics::{BodySpec, Mobility, Shape, group};
-use simbeeotic_model::units::{
-    Acceleration, Angle, Attitude, Current, Enu, Length, Position, Rate, Time, Twist, Velocity,
-    Yaw, math,
-};
+use simbeeotic_model::units::{Acceleration, Current, Enu, Length, Rate, Time, Twist, Velocity};
 use simbeeotic_model::{
     BuildError, Consumer, Platform, Setpoint, Vehicle, VehicleKit, params, vehicle,
 };
@@ -108,19 +105,6 @@ impl Vehicle for Ghost {
         };
         platform.set_load(Consumer::Hover, current);
     }
-
-    fn turn(&mut self, angle: Angle, platform: &mut Platform<'_>) {
-        let yaw = platform.attitude().yaw() + angle;
-        platform.set_attitude(Attitude::from_yaw(yaw));
-    }
-
-    fn turn_toward(&mut self, point: Position, platform: &mut Platform<'_>) {
-        let way = (point - platform.position()).si();
-        if way.truncate().length_squared() > 0.0 {
-            let yaw = Yaw::new(Angle::si(math::atan2(way.y, way.x)));
-            platform.set_attitude(Attitude::from_yaw(yaw));
-        }
-    }
 }
 
 #[cfg(test)]
@@ -128,7 +112,7 @@ mod tests {
     use crate::trial::{NoParams, run, vehicle, with_battery};
     use simbeeotic_model::config::{Node, Span};
     use simbeeotic_model::registry::{self, Kind, Make};
-    use simbeeotic_model::units::{Angle, Time, Velocity};
+    use simbeeotic_model::units::{Angle, Position, Time, Velocity};
     use simbeeotic_model::{Bee, Behavior, BuildError, Kit, ModelPlan, behavior};
 
     /// Turns to the left, flies there for ten seconds, and switches its motors off.
@@ -199,6 +183,38 @@ mod tests {
         let place = run.pose("ghost").expect("a body").position.si();
         // A step of 0.1 s at 1 m/s is the most that it can be late.
         assert!((-0.05..0.05 + 1e-9).contains(&place.z), "{place}");
+    }
+
+    /// Looks around, and checks where it looks then.
+    #[behavior("test-ghost-look")]
+    struct Looking;
+
+    impl Behavior for Looking {
+        type Params = NoParams;
+
+        fn build(_params: NoParams, kit: &mut Kit<Self>) -> Result<Self, BuildError> {
+            kit.once(Time::ZERO, |_, bee: &mut Bee<'_>| {
+                for (way, yaw_deg) in [
+                    ([0.0, 5.0, 5.0], 90.0),
+                    ([-5.0, 0.0, -5.0], 180.0),
+                    ([0.0, 0.0, 5.0], 180.0),
+                    ([0.0, 0.0, 0.0], 180.0),
+                ] {
+                    let [east, north, up] = way;
+                    bee.turn_toward(bee.position() + Position::from_xyz(east, north, up));
+                    let off = bee.attitude().yaw().angle() - Angle::from_degrees(yaw_deg);
+                    assert!(off.sin().abs() < 1e-9 && off.cos() > 0.0, "{way:?}");
+                    assert!(bee.attitude().pitch().degrees().abs() < 1e-9, "{way:?}");
+                }
+            });
+            Ok(Self)
+        }
+    }
+
+    #[test]
+    fn it_faces_a_place_upright_and_stays_as_it_is_below_one() {
+        let end = run(vec![ghost("test-ghost-look")], 1).run();
+        assert!(end.error.is_none(), "{:?}", end.error);
     }
 
     #[test]
