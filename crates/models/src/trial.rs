@@ -9,7 +9,7 @@
 mod swarm;
 
 pub(crate) use swarm::{
-    bee, model, mounted, run, setup, vehicle, with_battery, with_radio, with_sensor_of,
+    bee, model, mounted, run, run_among, setup, vehicle, with_battery, with_radio, with_sensor_of,
 };
 
 use simbeeotic_model::config::to_node;

@@ -88,11 +88,10 @@ impl AvoidBee {
 
 #[cfg(test)]
 mod tests {
-    use crate::trial::{bee, mounted, setup, with_sensor_of};
+    use crate::trial::{bee, mounted, run_among, with_sensor_of};
     use simbeeotic_model::units::{Angle, Length, Mount, Position, Time};
     use simbeeotic_model::world::{Obstacle, ObstacleShape, World};
-    use simbeeotic_model::{ModelPlan, Sampling, Setup, Simulation};
-    use std::sync::Arc;
+    use simbeeotic_model::{ModelPlan, Sampling};
 
     fn wanderer(margin: &str) -> ModelPlan {
         let plan = bee("bee", "avoid-bee", &[("margin", margin)], [0.0, 0.0, 2.0]);
@@ -132,11 +131,7 @@ mod tests {
     }
 
     fn touches(margin: &str) -> u64 {
-        let setup = Setup {
-            world: Arc::new(court()),
-            ..setup(vec![wanderer(margin)], 120)
-        };
-        let outcome = Simulation::new(setup).expect("good plans").run();
+        let outcome = run_among(court(), vec![wanderer(margin)], 120).run();
         assert!(outcome.error.is_none(), "{:?}", outcome.error);
         outcome.summary.touches
     }

@@ -1,7 +1,7 @@
 //! What rays see, and that a filter can say so. In the original they passed through the hive, and through
 //! every bee that did not collide.
 
-use crate::swarm::{model, setup, vehicle};
+use crate::swarm::{model, run_among, vehicle};
 use simbeeotic_model::host::{Platform, Ray, Station};
 use simbeeotic_model::physics::{BodySpec, Contacts, Kind, Mobility, Shape, group};
 use simbeeotic_model::units::{Attitude, Length, Pose, Position, Time};
@@ -9,10 +9,7 @@ use simbeeotic_model::world::{
     HeightField, Obstacle, Patch, Person, PersonShape, Slab, Structure, StructureShape, Terrain,
     World,
 };
-use simbeeotic_model::{
-    Behavior, BuildError, Kit, ModelPlan, SeesWhat, Simulation, Thing, behavior, params,
-};
-use std::sync::Arc;
+use simbeeotic_model::{Behavior, BuildError, Kit, ModelPlan, SeesWhat, Thing, behavior, params};
 
 /// None.
 #[params]
@@ -174,11 +171,7 @@ fn rays_see_everything_hive_and_ghosts_and_bees_without_contacts_too_and_by_kind
         at("hive", "simple-hive", Kind::Station),
         at("ghost", "test-seen-ghost", Kind::Ghost),
     ];
-    let setup = simbeeotic_model::Setup {
-        world: Arc::new(world()),
-        ..setup(plans, 2)
-    };
-    let outcome = Simulation::new(setup).expect("good plans").run();
+    let outcome = run_among(world(), plans, 2).run();
     assert!(outcome.error.is_none(), "{:?}", outcome.error);
     assert_eq!(outcome.summary.ended, "looked");
 }

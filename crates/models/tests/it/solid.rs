@@ -1,6 +1,6 @@
 //! The world is solid: what bodies meet in it, when, and what they are told of it.
 
-use crate::swarm::{model, setup, vehicle};
+use crate::swarm::{model, run, run_among, setup, vehicle};
 use glam::DVec3;
 use simbeeotic_model::config::to_node;
 use simbeeotic_model::host::{Platform, Station};
@@ -83,13 +83,7 @@ fn ball_at(from: [f64; 3]) -> ModelPlan {
 
 /// How the flight of a ball from a place in a world ends.
 fn flight(world: World, from: [f64; 3]) -> String {
-    let setup = Setup {
-        world: Arc::new(world),
-        ..setup(vec![ball_at(from)], 20)
-    };
-    let outcome = Simulation::new(setup)
-        .expect("it can be put together")
-        .run();
+    let outcome = run_among(world, vec![ball_at(from)], 20).run();
     assert!(outcome.error.is_none(), "{:?}", outcome.error);
     outcome.summary.ended
 }
@@ -306,11 +300,7 @@ fn a_bee_lies_down_on_flowers_unless_it_touches_nothing() {
     let touches = |contacts: &str| {
         let gear = [("contacts", contacts)];
         let bee = vehicle("bee", "inert-bee", &[], &gear, [0.0, 0.0, 5.0]);
-        let setup = Setup {
-            world: Arc::new(meadow.clone()),
-            ..setup(vec![bee], 3)
-        };
-        let mut run = Simulation::new(setup).expect("it can be put together");
+        let mut run = run_among(meadow.clone(), vec![bee], 3);
         let outcome = run.run();
         assert!(outcome.error.is_none(), "{:?}", outcome.error);
         (
@@ -332,13 +322,7 @@ fn a_bee_lies_down_on_flowers_unless_it_touches_nothing() {
 #[test]
 fn what_is_out_of_reach_does_not_show_in_the_trace() {
     let trace = |world: World| {
-        let setup = Setup {
-            world: Arc::new(world),
-            ..setup(vec![ball_at([0.0, 0.0, 1.0])], 1)
-        };
-        let outcome = Simulation::new(setup)
-            .expect("it can be put together")
-            .run();
+        let outcome = run_among(world, vec![ball_at([0.0, 0.0, 1.0])], 1).run();
         assert!(outcome.error.is_none(), "{:?}", outcome.error);
         outcome.summary.trace_hash
     };
@@ -372,17 +356,11 @@ fn a_surface_bounces_as_its_numbers_say() {
         }
     }
 
-    let setup = Setup {
-        world: Arc::new(world),
-        ..setup(
-            vec![ModelPlan {
-                start: ball_at([0.0, 0.0, 0.5]).start,
-                ..model("ball", "test-bouncing-ball")
-            }],
-            3,
-        )
+    let ball = ModelPlan {
+        start: ball_at([0.0, 0.0, 0.5]).start,
+        ..model("ball", "test-bouncing-ball")
     };
-    let mut run = Simulation::new(setup).expect("it can be put together");
+    let mut run = run_among(world, vec![ball], 3);
     assert!(run.run().error.is_none());
     // The geometric mean of 1 and 1/4.
     let speed = run.twist("ball").expect("a body").linear.east();
@@ -414,7 +392,7 @@ fn a_flat_bee_lies_flat_where_it_stood() {
     };
     for height in [0.0, 0.5] {
         let plan = falling("bee", &params, [0.0, 0.0, height]);
-        let mut run = Simulation::new(setup(vec![plan], 5)).expect("it can be put together");
+        let mut run = run(vec![plan], 5);
         let outcome = run.run();
         assert!(outcome.error.is_none(), "{:?}", outcome.error);
         let pose = run.pose("bee").expect("a body");

@@ -191,6 +191,15 @@ pub(crate) fn run_in(
     Simulation::new(setup).expect("it can be put together")
 }
 
+/// A run of these models in a world.
+pub(crate) fn run_among(world: World, models: Vec<ModelPlan>, seconds: u64) -> Simulation {
+    let setup = Setup {
+        world: Arc::new(world),
+        ..setup(models, seconds)
+    };
+    Simulation::new(setup).expect("it can be put together")
+}
+
 /// A model without a body.
 pub(crate) fn model(name: &str, behavior: &str) -> ModelPlan {
     bee(name, behavior, &[], [0.0; 3])
