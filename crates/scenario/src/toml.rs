@@ -18,25 +18,11 @@ use std::ops::Range;
 /// # Errors
 /// Every fault of syntax; if there is none, every value that a scenario cannot hold.
 pub fn parse(text: &str, source: SourceId) -> Result<Node, Vec<Fault>> {
-    let mut reader = Reader {
-        source,
-        faults: Vec::new(),
-    };
-    if let Some(at) = too_many_dots(text) {
-        reader.fault(at, "a key of so many parts is nested too deeply");
-        return Err(reader.faults);
-    }
-    let (document, errors) = DeTable::parse_recoverable(text);
-    let root = reader.table(document.into_inner(), 0..text.len(), 0);
-    if !errors.is_empty() {
-        reader.faults = errors.iter().map(|e| reader.syntax(text, e)).collect();
-    }
-    if reader.faults.is_empty() {
-        Ok(root)
-    } else {
-        reader.faults.sort_by_key(|f| f.span);
-        Err(reader.faults)
-    }
+    read(text, source, |reader| {
+        let (document, errors) = DeTable::parse_recoverable(text);
+        let root = reader.table(document.into_inner(), 0..text.len(), 0);
+        (Some(root), errors)
+    })
 }
 
 /// Reads one TOML value, as it may stand behind a `=`.
@@ -44,6 +30,19 @@ pub fn parse(text: &str, source: SourceId) -> Result<Node, Vec<Fault>> {
 /// # Errors
 /// As for [`parse`].
 pub fn parse_value(text: &str, source: SourceId) -> Result<Node, Vec<Fault>> {
+    read(text, source, |reader| {
+        let (value, errors) = DeValue::parse_recoverable(text);
+        let span = value.span();
+        (reader.value(value.into_inner(), span, 0), errors)
+    })
+}
+
+/// What `build` makes of a text, with what is wrong with its syntax.
+fn read(
+    text: &str,
+    source: SourceId,
+    build: impl FnOnce(&mut Reader) -> (Option<Node>, Vec<::toml::de::Error>),
+) -> Result<Node, Vec<Fault>> {
     let mut reader = Reader {
         source,
         faults: Vec::new(),
@@ -52,15 +51,16 @@ pub fn parse_value(text: &str, source: SourceId) -> Result<Node, Vec<Fault>> {
         reader.fault(at, "a key of so many parts is nested too deeply");
         return Err(reader.faults);
     }
-    let (value, errors) = DeValue::parse_recoverable(text);
-    let span = value.span();
-    let node = reader.value(value.into_inner(), span, 0);
+    let (node, errors) = build(&mut reader);
     if !errors.is_empty() {
         reader.faults = errors.iter().map(|e| reader.syntax(text, e)).collect();
     }
     match node {
         Some(node) if reader.faults.is_empty() => Ok(node),
-        _ => Err(reader.faults),
+        _ => {
+            reader.faults.sort_by_key(|f| f.span);
+            Err(reader.faults)
+        }
     }
 }
 
