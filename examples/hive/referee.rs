@@ -121,22 +121,7 @@ impl Behavior<Bodiless> for SearchReferee {
         positive("period", params.period)?;
         kit.every(params.period, Self::watch);
         kit.every(Time::si(10.0), Self::publish);
-        let cells = Cells::around(DVec2::ZERO, params.field.metres(), params.cell.metres());
-        let fine = cells.finer(PARTS);
-        Ok(Self {
-            params,
-            seen_parts: vec![false; fine.count()],
-            parts: vec![0; cells.count()],
-            fine,
-            cells,
-            searched: 0,
-            seen: BTreeSet::new(),
-            served: BTreeSet::new(),
-            stays: BTreeMap::new(),
-            down: BTreeMap::new(),
-            books: BTreeMap::new(),
-            beacons: BTreeMap::new(),
-        })
+        Ok(Self::new(params))
     }
 
     fn on_message(&mut self, message: &Message, _: &mut Cx<'_>) {
@@ -155,6 +140,25 @@ impl Behavior<Bodiless> for SearchReferee {
 }
 
 impl SearchReferee {
+    fn new(params: SearchRefereeParams) -> Self {
+        let cells = Cells::around(DVec2::ZERO, params.field.metres(), params.cell.metres());
+        let fine = cells.finer(PARTS);
+        Self {
+            params,
+            seen_parts: vec![false; fine.count()],
+            parts: vec![0; cells.count()],
+            fine,
+            cells,
+            searched: 0,
+            seen: BTreeSet::new(),
+            served: BTreeSet::new(),
+            stays: BTreeMap::new(),
+            down: BTreeMap::new(),
+            books: BTreeMap::new(),
+            beacons: BTreeMap::new(),
+        }
+    }
+
     fn watch(&mut self, cx: &mut Cx<'_>) {
         let mavs = cx.population().of_kind("search-mav").to_vec();
         let hives = cx.population().of_kind("search-hive").iter();
@@ -168,11 +172,12 @@ impl SearchReferee {
             let (place, speed_m_s) = (pose.position.si(), twist.linear.si().length());
             self.look_down(place);
             self.mind(id, place, speed_m_s, &hives);
-            if place.z < LOW_M && speed_m_s > 1e-6 {
-                self.attend(id, pose, cx);
+            let beside = if place.z < LOW_M && speed_m_s > 1e-6 {
+                self.beside(pose, cx)
             } else {
-                self.stays.remove(&id);
-            }
+                BTreeSet::new()
+            };
+            self.attend(id, &beside);
         }
     }
 
@@ -212,17 +217,27 @@ impl SearchReferee {
         }
     }
 
-    /// Finds the flowers beside a MAV that is low.
-    fn attend(&mut self, id: ModelId, pose: Pose, cx: &mut Cx<'_>) {
+    /// How many have lain where they should not for too long.
+    fn lost(&self) -> usize {
+        let down_for = (DOWN_S / self.params.period.get()) as u32;
+        let down = self.down.values();
+        down.filter(|looks| **looks >= down_for).count()
+    }
+
+    /// The flowers beside a MAV.
+    fn beside(&self, pose: Pose, cx: &mut Cx<'_>) -> BTreeSet<ObjectId> {
         let ball = Shape::Sphere {
             radius_m: self.params.reach.metres(),
         };
-        let beside: BTreeSet<ObjectId> = cx
-            .overlapping(&ball, pose)
+        cx.overlapping(&ball, pose)
             .into_iter()
             .filter_map(Thing::object)
             .filter(|object| object.kind == ObjectKind::Flower)
-            .collect();
+            .collect()
+    }
+
+    /// Counts for how long a MAV stays beside flowers, and which it has served.
+    fn attend(&mut self, id: ModelId, beside: &BTreeSet<ObjectId>) {
         let before = self.stays.remove(&id).unwrap_or_default();
         let looks = |object: &ObjectId| {
             let known = before.iter().find(|(at, _)| at == object);
@@ -238,12 +253,6 @@ impl SearchReferee {
     }
 
     fn publish(&mut self, cx: &mut Cx<'_>) {
-        let down_for = (DOWN_S / self.params.period.get()) as u32;
-        let lost = self
-            .down
-            .values()
-            .filter(|looks| **looks >= down_for)
-            .count();
         let energy_j: f64 = self.books.values().map(|books| books.energy_j).sum();
         let idle_s: f64 = self.books.values().map(|books| books.idle_s).sum();
         let served = self.served.len() as f64;
@@ -254,7 +263,7 @@ impl SearchReferee {
         );
         cx.metric("flowers/seen", self.seen.len() as f64, "1");
         cx.metric("flowers/served", served, "1");
-        cx.metric("lost", lost as f64, "1");
+        cx.metric("lost", self.lost() as f64, "1");
         cx.metric("idleness", idle_s / self.books.len().max(1) as f64, "s");
         let waiting_s: f64 = self.books.values().map(|books| books.waiting_s).sum();
         let mavs = self.books.len().max(1) as f64;
@@ -265,5 +274,89 @@ impl SearchReferee {
         if served > 0.0 {
             cx.metric("energy/flower", energy_j / served, "J");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MAV: ModelId = ModelId(7);
+
+    /// A field of four cells of 10 m, each of sixteen parts.
+    fn referee() -> SearchReferee {
+        SearchReferee::new(SearchRefereeParams {
+            field: Length::si(20.0),
+            swath: Length::si(2.0),
+            ..SearchRefereeParams::default()
+        })
+    }
+
+    #[test]
+    fn a_cell_is_searched_once_three_quarters_of_its_parts_were_seen_from_low_enough() {
+        let mut referee = referee();
+        let parts = |columns: std::ops::Range<u32>| {
+            let middle = |n: u32| 1.25 + 2.5 * f64::from(n);
+            columns.flat_map(move |x| (0..4).map(move |y| DVec2::new(middle(x), middle(y))))
+        };
+        // Three of its four columns, but for the last part: too high, too low, and as searches are flown.
+        for up_m in [5.1, 1.4, 5.0] {
+            for part in parts(0..3).take(11) {
+                referee.look_down(part.extend(up_m));
+            }
+            assert_eq!(referee.searched, 0, "{up_m} m up");
+        }
+        assert_eq!(referee.parts.iter().sum::<u8>(), 11);
+        // What was seen before counts once.
+        referee.look_down(DVec3::new(1.25, 1.25, 4.0));
+        assert_eq!(referee.searched, 0);
+        referee.look_down(parts(0..3).last().expect("twelve").extend(4.0));
+        assert_eq!(referee.searched, 1);
+        for part in parts(0..4) {
+            referee.look_down(part.extend(4.0));
+        }
+        assert_eq!(referee.searched, 1, "a cell counts once");
+        assert_eq!(referee.parts.iter().sum::<u8>(), 16, "one cell of four");
+    }
+
+    #[test]
+    fn who_lies_half_a_minute_away_from_all_pads_is_lost_until_it_moves() {
+        let mut referee = referee();
+        let hives = [DVec2::ZERO, DVec2::new(50.0, 0.0)];
+        let looks = |referee: &mut SearchReferee, count: u32, east_m: f64, speed_m_s: f64| {
+            for _ in 0..count {
+                referee.mind(MAV, DVec3::X * east_m, speed_m_s, &hives);
+            }
+            referee.lost()
+        };
+        assert_eq!(looks(&mut referee, 100, 3.9, 0.0), 0, "on a pad");
+        assert_eq!(looks(&mut referee, 100, 46.1, 0.0), 0, "of another hive");
+        assert_eq!(looks(&mut referee, 59, 25.0, 0.01), 0);
+        assert_eq!(looks(&mut referee, 1, 25.0, 0.01), 1);
+        assert_eq!(looks(&mut referee, 1, 25.0, 0.03), 0, "it moves");
+        assert_eq!(looks(&mut referee, 59, 25.0, 0.0), 0, "counted anew");
+    }
+
+    #[test]
+    fn a_flower_is_served_by_one_that_stays_beside_it_without_a_break() {
+        let mut referee = referee();
+        let flower = |item| ObjectId {
+            item,
+            ..ObjectId::new(ObjectKind::Flower, 0)
+        };
+        let beside = |items: &[u32]| items.iter().map(|item| flower(*item)).collect();
+        // Two seconds are four periods, from the first of five looks to the last.
+        for items in [&[1, 2][..], &[1, 2], &[1], &[1, 2]] {
+            referee.attend(MAV, &beside(items));
+        }
+        assert!(referee.served.is_empty());
+        // Another that comes by does not go on where the first is.
+        referee.attend(ModelId(8), &beside(&[1]));
+        assert!(referee.served.is_empty());
+        referee.attend(MAV, &beside(&[1, 2]));
+        assert_eq!(referee.served, beside(&[1]));
+        referee.attend(MAV, &beside(&[]));
+        assert_eq!(referee.served, beside(&[1]), "once served, for ever");
+        assert!(!referee.stays.contains_key(&MAV));
     }
 }
