@@ -82,7 +82,7 @@ fn settings(workspace: &str, project: &str, root: &Path) -> Result<Table> {
     let mut settings = Table::new();
     if let Some(profile) = workspace.get("profile") {
         let mut profile = profile.clone();
-        as_members(&mut profile, &workspace);
+        quickly_built(&mut profile, &workspace);
         settings.insert("profile".to_owned(), profile);
     }
     if dependency.get("path").is_none() {
@@ -100,13 +100,10 @@ fn settings(workspace: &str, project: &str, root: &Path) -> Result<Table> {
     Ok(settings)
 }
 
-/// Has the crates of this house optimised as little as in the workspace. To the project they are like any other
-/// dependency, and would be optimised to the full: for a run of a second that is not worth a minute of compiling.
-fn as_members(profile: &mut Value, workspace: &Table) {
+/// Has the crates of this house not optimised: all of them are compiled anew for the project, and for a run of a
+/// second that is not worth a minute. Those of others are as in the workspace, which has built them.
+fn quickly_built(profile: &mut Value, workspace: &Table) {
     let Some(dev) = profile.get_mut("dev").and_then(Value::as_table_mut) else {
-        return;
-    };
-    let Some(level) = dev.get("opt-level").cloned() else {
         return;
     };
     let dependencies = workspace
@@ -121,8 +118,8 @@ fn as_members(profile: &mut Value, workspace: &Table) {
     let packages = dev.entry("package").or_insert_with(|| Table::new().into());
     for name in house {
         if let Some(packages) = packages.as_table_mut() {
-            let own = || Table::from_iter([("opt-level".to_owned(), level.clone())]).into();
-            packages.entry(name).or_insert_with(own);
+            let own = Table::from_iter([("opt-level".to_owned(), Value::from(0))]);
+            packages.insert(name, own.into());
         }
     }
 }
@@ -197,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn crates_of_the_house_are_built_as_members_and_others_as_dependencies() {
+    fn crates_of_the_house_are_not_optimised_and_others_are_as_in_the_workspace() {
         let workspace = "
             [workspace.dependencies]
             simbeeotic-a = { path = \"crates/a\" }
@@ -218,8 +215,8 @@ mod tests {
                 .get(name)
                 .map(|own| own["opt-level"].as_integer().unwrap())
         };
-        assert_eq!(level("simbeeotic-a"), Some(1));
-        assert_eq!(level("simbeeotic-b"), Some(3));
+        assert_eq!(level("simbeeotic-a"), Some(0));
+        assert_eq!(level("simbeeotic-b"), Some(0));
         assert_eq!(level("*"), Some(2));
         assert_eq!(level("serde"), None);
     }

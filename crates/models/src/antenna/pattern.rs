@@ -71,21 +71,17 @@ mod tests {
     use std::path::Path;
 
     fn read(name: &str, text: &str) -> Result<PatternAntenna, BuildError> {
-        let folder =
-            std::env::temp_dir().join(format!("simbeeotic-pattern-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        std::fs::write(folder.join(name), text).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join(name), text).unwrap();
         let site = Site {
-            folder: &folder,
+            folder: folder.path(),
             ..Site::default()
         };
         let params = PatternAntennaParams {
             file: name.to_owned(),
             ..PatternAntennaParams::default()
         };
-        let made = PatternAntenna::for_run(params, &site);
-        std::fs::remove_file(folder.join(name)).unwrap();
-        made
+        PatternAntenna::for_run(params, &site)
     }
 
     #[test]

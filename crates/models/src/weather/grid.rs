@@ -385,12 +385,12 @@ mod tests {
 
     #[test]
     fn a_file_is_looked_for_beside_the_scenario() {
-        let folder = std::env::temp_dir().join(format!("wind-grid-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder");
+        let folder = tempfile::tempdir().expect("a folder");
+        let folder = folder.path();
         std::fs::write(folder.join("w.csv"), "u,v,w\n1,2,3\n").expect("a file");
         let site = Site {
             seed: 0,
-            folder: &folder,
+            folder,
         };
         let params = |file: &str| GridParams {
             file: file.into(),
@@ -404,6 +404,5 @@ mod tests {
         std::fs::write(folder.join("w.csv"), "u,v,w\n1,2\n").expect("a file");
         let wrong = Grid::new(&params("w.csv"), &site).expect_err("it is wrong");
         assert!(wrong.to_string().contains("w.csv: line 2"), "{wrong}");
-        std::fs::remove_dir_all(&folder).expect("it was there");
     }
 }

@@ -78,7 +78,6 @@ fn loss_by_kill(path: &Path) -> u64 {
         );
         last_ns = tick.time_ns;
     }
-    assert!(last_ns > 0, "something was saved");
     assert!(
         last_ns >= safe_ns,
         "{last_ns} ns read, {safe_ns} ns said to be safe"

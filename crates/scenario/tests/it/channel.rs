@@ -164,9 +164,8 @@ fn what_a_medium_leaves_aside_is_warned_of_at_its_key_and_runs() {
 
 #[test]
 fn names_of_a_link_table_that_no_radio_has_are_told_before_the_run() {
-    let folder = std::env::temp_dir().join(format!("simbeeotic-links-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("links.csv");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("links.csv");
     let line = format!("use = \"link-table\"\nfile = '{}'", file.display());
     let text = channel(&line).replace("\"inert-bee\"", "\"inert-bee\"\ncount = 3\nname = \"bee\"");
     let with = |rows: &str| {
@@ -193,7 +192,6 @@ fn names_of_a_link_table_that_no_radio_has_are_told_before_the_run() {
         "{shown}"
     );
     assert!(shown.contains("is between two radios"), "{shown}");
-    std::fs::remove_dir_all(&folder).expect("it goes");
 }
 
 #[test]
