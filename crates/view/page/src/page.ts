@@ -86,7 +86,7 @@ export class Page {
     const replay = run.replay ? replayActions(run, run.replay) : null;
     const vehicles = vehiclesPanel(run, this.layout);
     const charts = chartsPanel(run, settings);
-    const layers = layersPanel(run, (view) => this.look(view), () => this.fit(), (kind) => vehicles.search(kind));
+    const layers = layersPanel(run, settings.dark, (view) => this.look(view), () => this.fit(), (kind) => vehicles.search(kind));
     const table = this.keys({
       search: () => vehicles.search(),
       chooseCharts: () => {

@@ -239,6 +239,21 @@ test("the wind of a recording is shown, and hidden", async () => {
   assert.ok(again.mean < mean / 4, `with them it is as it was: ${again.mean}`);
 });
 
+test("links and wind have a scale while they are shown", async () => {
+  const links = page.locator("#links-scale");
+  await links.waitFor();
+  assert.match(await links.textContent(), /^−95−45\u00a0dBm$/);
+  assert.match(await links.locator(".ramp").evaluate((it) => it.style.background), /linear-gradient/);
+  const wind = page.locator("#wind-scale");
+  assert.match(await wind.textContent(), /^longest arrow [\d.]+\u00a0m\/s$/);
+  for (const [key, scale] of [["3", links], ["6", wind]]) {
+    await page.keyboard.press(key);
+    await scale.waitFor({ state: "hidden" });
+    await page.keyboard.press(key);
+    await scale.waitFor();
+  }
+});
+
 test("the help sheet shows the keys, and goes again", async () => {
   await page.keyboard.press("?");
   const help = page.locator("#help");

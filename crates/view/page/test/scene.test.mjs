@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 const folder = fileURLToPath(new URL("..", import.meta.url));
 const { outputFiles } = await build({
   stdin: {
-    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay", "near", "darts", "pace"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
+    contents: ["math", "colours", "paint", "picking", "camera", "beams", "radio", "overlay", "near", "darts", "pace", "wind"].map((f) => `export * as ${f} from "./src/scene/${f}";`).join("\n"),
     resolveDir: folder,
   },
   bundle: true,
@@ -16,7 +16,7 @@ const { outputFiles } = await build({
   mainFields: ["module", "main"],
   write: false,
 });
-const { math, colours, paint, picking, camera, beams, radio, overlay, near: nearby, darts, pace } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
+const { math, colours, paint, picking, camera, beams, radio, overlay, near: nearby, darts, pace, wind } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 
 const near = (a, b, within = 1e-6) => {
   assert.equal(a.length, b.length);
@@ -333,6 +333,72 @@ test("a stronger signal is drawn stronger, between nothing and all", () => {
   assert.equal(radio.strength(-200), 0);
   assert.equal(radio.strength(0), 1);
   assert.ok(radio.strength(-60) > radio.strength(-80));
+});
+
+test("the scale of links goes from the weakest signal, faint, to the strongest", () => {
+  const { stops, low, high } = radio.linkScale(false);
+  const opacities = stops.map((text) => Number(/\/ ([\d.]+)\)$/.exec(text)[1]));
+  assert.ok(opacities.every((x, k) => k === 0 || x > opacities[k - 1]), `${opacities}`);
+  assert.deepEqual([low, high, opacities.at(-1)], ["−95", "−45\u00a0dBm", 1]);
+  assert.equal(radio.strength(-95), 0);
+  assert.equal(radio.strength(-45), 1);
+});
+
+/** Three layers of nine places, 10 m apart, wind to the east, faster the higher. */
+const air = [0, 10, 20].flatMap((z) => [-10, 0, 10].flatMap((y) => [-10, 0, 10].map((x) => [x, y, z, 1 + z / 10, 0, 0])));
+
+test("from above and from a side there are arrows of the layer that is looked at, and of all else", () => {
+  const shown = new wind.Wind({});
+  shown.set(air);
+  assert.equal(shown.mesh.count, 27);
+  for (const [axis, target, at] of [[2, [0, 0, 12], 10], [2, [0, 0, 400], 20], [1, [3, -9, 5], -10], [0, [4, 0, 0], 0]]) {
+    shown.look(axis, target);
+    assert.equal(shown.mesh.count, 9, `along ${axis}`);
+    assert.ok(shown.drawn.every(({ from }) => from[axis] === at), `along ${axis}: ${JSON.stringify(shown.drawn[0])}`);
+  }
+  shown.set([]);
+  assert.equal(shown.mesh.count, 0);
+  shown.look(null, [0, 0, 0]);
+  shown.set(air);
+  assert.equal(shown.mesh.count, 27);
+});
+
+test("an arrow tells its speed by its length, and a breath is no gale", () => {
+  const shown = new wind.Wind({});
+  const reach = () => Math.max(...shown.drawn.map(({ from, to }) => math.length(math.sub(to, from))));
+  shown.set(air);
+  const gale = reach();
+  const [slow, fast] = [shown.drawn[0], shown.drawn[26]];
+  near([(slow.to[0] - slow.from[0]) / (fast.to[0] - fast.from[0])], [Math.sqrt(slow.speed_m_s / fast.speed_m_s)]);
+  assert.equal(wind.longest(air), "3\u00a0m/s");
+  shown.set(air.map(([x, y, z]) => [x, y, z, 0, 0.04, 0]));
+  near([reach() / gale], [0.2]);
+  assert.equal(wind.longest([[0, 0, 0, 0, 0, 0]]), "", "still air has no arrows");
+  assert.equal(wind.longest([]), "");
+});
+
+test("a view knows which axis it looks along, once it is there", () => {
+  const orbit = new camera.Orbit();
+  orbit.resize(800, 600);
+  for (const [view, axis] of [["top", 2], ["north", 1], ["east", 0], ["south", 1], ["west", 0], ["orbit", null]]) {
+    orbit.setView(view);
+    while (orbit.step(0.016));
+    assert.equal(orbit.along(), axis, view);
+  }
+});
+
+test("a line is pointed at where it is drawn, and not beyond its ends", () => {
+  const orbit = new camera.Orbit();
+  orbit.resize(800, 600);
+  orbit.set({ from: [0, 0, 50], at: [0, 0, 0], flat: true });
+  orbit.apply();
+  const view = orbit.camera.projectionMatrix.clone().multiply(orbit.camera.matrixWorldInverse).elements;
+  const lines = [[[-5, 5, 0], [5, 5, 0]], null, [[-5, 0, 0], [5, 0, 3]]];
+  const at = (x, y, off = 0) => {
+    const p = math.project(view, [x, y, 0], 800, 600);
+    return picking.nearestLine(lines, view, 800, 600, p.x, p.y + off);
+  };
+  assert.deepEqual([at(0, 5), at(2, 0), at(-4.9, 0, 3), at(2, 0, 9), at(6, 0)], [0, 2, 2, null, null]);
 });
 
 test("near are those that are large on the screen and in the picture, whatever else there is", () => {

@@ -84,6 +84,13 @@ export class Orbit {
     return this.goal.flat === 1;
   }
 
+  /** The axis that it looks along without perspective, 0 east, 1 north, 2 up; null: none. */
+  along(): number | null {
+    if (this.now.flat !== 1) return null;
+    const axis = this.axes()[0].findIndex((x) => Math.abs(x) > 0.999);
+    return axis < 0 ? null : axis;
+  }
+
   following(): boolean {
     return this.anchor !== null;
   }

@@ -55,7 +55,7 @@ export interface SceneOptions {
   dark: boolean;
   /** A vehicle was clicked; null: nothing. Selects nothing by itself. */
   onPick(vehicle: number | null): void;
-  /** A vehicle or a thing of the world was pointed at: its name and kind; null: nothing. */
+  /** A vehicle, a link, an arrow of the wind or a thing of the world was pointed at, in words; null: nothing. */
   onHover(text: string | null): void;
   /** The camera has moved; at most four times a second, and at its end. */
   onCamera(state: CameraState): void;

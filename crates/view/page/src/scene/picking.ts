@@ -3,11 +3,13 @@
 
 import * as THREE from "three";
 import type { Vec3 } from "../wire";
-import { project, rayMeetsBall, rayTriangle } from "./math";
+import { clamp, project, rayMeetsBall, rayTriangle } from "./math";
 import type { Target, World } from "./world";
 
 /** How far from the pointer a vehicle may be, CSS pixels. */
 export const REACH_PX = 12;
+/** And a line. */
+const LINE_REACH_PX = 5;
 
 /**
  * The vehicle drawn nearest to a point of the picture, or nearest to the eye of those whose drawn radius covers it.
@@ -39,6 +41,27 @@ export function nearest(
     const s = over + 1e-3 * d + 1e-3 * at.depth;
     if (s < score) {
       score = s;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/** Which line (between places of the world) is drawn nearest to a point of the picture, if any is near; both ends in sight. */
+export function nearestLine(lines: Iterable<readonly [Vec3, Vec3] | null>, view: ArrayLike<number>, width: number, height: number, x: number, y: number): number | null {
+  let best: number | null = null;
+  let least = LINE_REACH_PX;
+  let i = -1;
+  for (const line of lines) {
+    i++;
+    const a = line && project(view, line[0], width, height);
+    const b = line && project(view, line[1], width, height);
+    if (!a || !b) continue;
+    const [dx, dy] = [b.x - a.x, b.y - a.y];
+    const f = clamp(((x - a.x) * dx + (y - a.y) * dy) / Math.max(dx * dx + dy * dy, 1e-9), 0, 1);
+    const d = Math.hypot(a.x + f * dx - x, a.y + f * dy - y);
+    if (d < least) {
+      least = d;
       best = i;
     }
   }

@@ -1,11 +1,20 @@
-// What people point at: the vehicle under the pointer, or the thing of the world, and its name.
+// What people point at: the vehicle under the pointer, a link, an arrow of the wind, or the thing of the world, and its name.
 
 import type { SceneOptions } from "./index";
-import type { Vec3 } from "../wire";
+import { fixed, number } from "../core/format";
+import type { Link, Vec3 } from "../wire";
 import type { Orbit } from "./camera";
 import type { Frames } from "./frames";
-import { firstHit, nearest } from "./picking";
+import { firstHit, nearest, nearestLine } from "./picking";
+import type { Arrow } from "./wind";
 import type { World } from "./world";
+
+function* ends(links: Link[], frames: Frames): Iterable<readonly [Vec3, Vec3] | null> {
+  for (const [from, to] of links) {
+    const [a, b] = [frames.place(from), frames.place(to)];
+    yield a && b ? [a, b] : null;
+  }
+}
 
 /** How often hovering asks what is there, ms. */
 const HOVER_MS = 60;
@@ -17,6 +26,9 @@ export interface Pointed {
   world: World;
   /** The last picture's view-projection, column-major. */
   view: ArrayLike<number>;
+  /** Links and arrows that are shown. */
+  links(): Link[];
+  arrows(): Arrow[];
   /** Whether the world is shown. */
   worldShown(): boolean;
   /** The radius of a vehicle on the screen at clip depth `w`, CSS pixels. */
@@ -85,12 +97,31 @@ export class Pointing {
     return orbit.ray((2 * x) / host.clientWidth - 1, 1 - (2 * y) / host.clientHeight);
   }
 
+  /** The link or the arrow of the wind that is there, in numbers. */
+  private lineAt(x: number, y: number): string | null {
+    const { host, frames, view } = this.to;
+    const near = (lines: Iterable<readonly [Vec3, Vec3] | null>) => nearestLine(lines, view, host.clientWidth, host.clientHeight, x, y);
+    const links = this.to.links();
+    const link = links[near(ends(links, frames)) ?? -1];
+    if (link) {
+      const { paths } = this.options.hello.vehicles;
+      const told = ([, , rssi, share]: Link) => `${fixed(rssi, 0)}\u00a0dBm, ${fixed(100 * share, 0)}\u00a0% received`;
+      // The way back is the same line.
+      const back = links.find(([from, to]) => from === link[1] && to === link[0]);
+      return `${paths[link[0]]} → ${paths[link[1]]}: ${told(link)}${back ? `; back: ${told(back)}` : ""}`;
+    }
+    const arrows = this.to.arrows();
+    const arrow = arrows[near(arrows.map(({ from, to }) => [from, to] as const)) ?? -1];
+    return arrow ? `wind · ${number(arrow.speed_m_s, 2)}\u00a0m/s` : null;
+  }
+
   private nameAt(x: number, y: number): string | null {
     const { hello } = this.options;
     const { vehicle } = this;
     this.to.host.style.cursor = vehicle === null ? "" : "pointer";
     if (vehicle !== null) return `${hello.vehicles.paths[vehicle]} · ${hello.vehicles.kinds[vehicle]}`;
-    if (!this.to.worldShown()) return null;
+    const line = this.lineAt(x, y);
+    if (line !== null || !this.to.worldShown()) return line;
     const { from, along } = this.ray(x, y);
     const hit = firstHit(this.to.world, from, along);
     if (!hit) return null;

@@ -48,6 +48,8 @@ export function strength(rssi_dbm: number): number {
 export class Radio {
   readonly links: Lines;
   readonly pulses: Lines;
+  /** What is drawn. */
+  shown: Link[] = [];
   private until = 0;
   private dark = false;
   private last: [Link[], number] = [[], 0];
@@ -79,6 +81,7 @@ export class Radio {
       this.rgba[3] = Math.round(255 * opaque);
       this.links.add(link[0], link[1], this.rgba);
     }
+    this.shown = shown;
     this.links.set("uWidth", shown.length < 200 ? 1 : 0.65);
     this.links.flush();
   }

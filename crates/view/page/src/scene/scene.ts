@@ -135,6 +135,8 @@ class Scene implements SceneView {
       frames: this.frames,
       world: this.world,
       view: this.view.elements,
+      links: () => (this.layers.links ? this.radio.shown : []),
+      arrows: () => (this.layers.wind ? this.wind.drawn : []),
       worldShown: () => this.layers.world,
       radius_px: this.radiusOf,
       // Only what is written over the picture is drawn anew.
@@ -403,6 +405,7 @@ class Scene implements SceneView {
     this.vehicles.update(this.view.elements, this.scale(), distance);
     this.trails.update();
     if (this.layers.beams) this.beams.update();
+    this.wind.look(orbit.along(), orbit.target());
     this.renderer.render(this.scene, camera);
     this.drawOver(caption);
   }

@@ -1,12 +1,25 @@
-// The moving air: an arrow at each place it is known, its length by the speed.
+// The moving air: an arrow at each place it is known, its length by the speed. Seen from above or from a side there
+// are arrows of one layer only: those of all would lie over each other.
 
 import * as THREE from "three";
 import { number } from "../core/format";
-import { fromX, length } from "./math";
+import { add, fromX, length, scale } from "./math";
 import { LIGHT, type Shared } from "./light";
 import type { Vec3 } from "../wire";
 
 const MOST = 4000;
+/** An arrow of this speed or less is never as long as arrows may be: a breath is no gale, m/s. */
+const BREEZE_M_S = 1;
+
+/** Arrows are in one layer if they are no farther from it than this part of what they are apart. */
+const SAME = 0.1;
+
+/** An arrow as it is drawn. */
+export interface Arrow {
+  from: Vec3;
+  to: Vec3;
+  speed_m_s: number;
+}
 
 /** An arrow along x from 0 to 1. */
 function arrow(): THREE.BufferGeometry {
@@ -22,6 +35,11 @@ function arrow(): THREE.BufferGeometry {
 
 export class Wind {
   readonly mesh: THREE.InstancedMesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
+  /** What is drawn. */
+  drawn: Arrow[] = [];
+  private list: number[][] = [];
+  private axis: number | null = null;
+  private layer: number | null = null;
 
   constructor(shared: Shared) {
     const material = new THREE.ShaderMaterial({
@@ -52,22 +70,39 @@ export class Wind {
     this.mesh.material.uniforms["uColour"]!.value.set(...(dark ? [0.25, 0.62, 0.95] : [0.04, 0.26, 0.62]));
   }
 
-  /** Places and velocities of the air. The fastest arrow is as long as the arrows are apart. */
+  /** Places and velocities of the air. The fastest arrow is two thirds as long as the arrows are apart. */
   set(arrows: number[][]): void {
-    const list = arrows.filter(whole).slice(0, MOST);
-    const fastest = fastestOf(list);
-    const apart = spacing(list);
-    let n = 0;
-    for (const a of list) {
+    this.list = arrows.filter(whole).slice(0, MOST);
+    this.layer = layerOf(this.list, this.axis, this.layer ?? 0);
+    this.fill();
+  }
+
+  /** Seen along this axis (0 east, 1 north, 2 up) without perspective: the layer nearest to what is looked at; null: all. */
+  look(axis: number | null, target: Vec3): void {
+    const layer = layerOf(this.list, axis, axis === null ? 0 : target[axis]!);
+    if (axis === this.axis && layer === this.layer) return;
+    [this.axis, this.layer] = [axis, layer];
+    this.fill();
+  }
+
+  private fill(): void {
+    const fastest = Math.max(fastestOf(this.list), BREEZE_M_S);
+    const apart = spacing(this.list);
+    const { axis, layer } = this;
+    this.drawn = [];
+    for (const a of this.list) {
+      if (axis !== null && layer !== null && Math.abs(a[axis]! - layer) > apart * SAME) continue;
       const v: Vec3 = [a[3]!, a[4]!, a[5]!];
       const speed = length(v);
       if (!(speed > fastest * 0.01)) continue;
       const l = apart * 0.62 * Math.sqrt(speed / fastest);
       const [w, x, y, z] = fromX(v);
       const m = new THREE.Matrix4().compose(new THREE.Vector3(a[0]!, a[1]!, a[2]!), new THREE.Quaternion(x, y, z, w), new THREE.Vector3(l, l, l));
-      this.mesh.setMatrixAt(n++, m);
+      this.mesh.setMatrixAt(this.drawn.length, m);
+      const from: Vec3 = [a[0]!, a[1]!, a[2]!];
+      this.drawn.push({ from, to: add(from, scale(v, l / speed)), speed_m_s: speed });
     }
-    this.mesh.count = n;
+    this.mesh.count = this.drawn.length;
     this.mesh.instanceMatrix.needsUpdate = true;
   }
 
@@ -86,6 +121,12 @@ export function longest(arrows: number[][]): string {
 
 function whole(arrow: number[]): boolean {
   return arrow.length >= 6 && arrow.slice(0, 6).every(Number.isFinite);
+}
+
+/** Which layer across an axis is nearest to a place on it; null without arrows, or without an axis. */
+function layerOf(arrows: number[][], axis: number | null, at: number): number | null {
+  if (axis === null || arrows.length === 0) return null;
+  return arrows.map((a) => a[axis]!).reduce((best, x) => (Math.abs(x - at) < Math.abs(best - at) ? x : best));
 }
 
 function fastestOf(arrows: number[][]): number {

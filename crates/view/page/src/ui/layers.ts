@@ -4,9 +4,12 @@ import { button, h, say, show } from "../core/dom";
 import { unitWords, words } from "../core/format";
 import { endsOf, kindsOf } from "../core/legend";
 import { layerNames } from "../core/place";
+import type { Signal } from "../core/signal";
 import { batteryName, type Run } from "../run";
 import { GREY, css } from "../scene/colours";
 import type { ColourBy, Layers, Legend, ViewName } from "../scene/index";
+import { linkScale } from "../scene/radio";
+import { longest } from "../scene/wind";
 
 export const layerWords: { [name in keyof Layers]: string } = {
   labels: "Names",
@@ -48,12 +51,12 @@ const MOST_RADIOS = 256;
 const MOST_TRAILS = 500;
 
 /** `list`: shows all vehicles of a kind in the list of vehicles. */
-export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () => void, list: (kind: string) => void): HTMLElement {
+export function layersPanel(run: Run, dark: Signal<boolean>, look: (view: ViewName) => void, fit: () => void, list: (kind: string) => void): HTMLElement {
   return h(
     "section",
     { class: "panel left", id: "layers", "aria-label": "layers and colours" },
     h("h2", { text: "Show" }),
-    layerBoxes(run),
+    layerBoxes(run, dark),
     h("h2", { text: "Colour by" }),
     colourChoice(run),
     legendBox(run, list),
@@ -67,7 +70,7 @@ export function layersPanel(run: Run, look: (view: ViewName) => void, fit: () =>
   );
 }
 
-function layerBoxes(run: Run): HTMLElement {
+function layerBoxes(run: Run, dark: Signal<boolean>): HTMLElement {
   const list = h("div", { class: "checks" });
   const hints = new Map((["trails", "links", "packets", "cut"] as const).map((name) => [name as keyof Layers, h("span", { class: "faint" })]));
   const hint = () => {
@@ -90,6 +93,8 @@ function layerBoxes(run: Run): HTMLElement {
     const row = h("label", { class: "check" }, box, h("span", {}, layerWords[name], hints.get(name) ?? null), h("kbd", { text: layerKeys[name] }));
     rows.set(name, { row, box });
     list.append(row);
+    if (name === "links") list.append(linksScale(run, dark));
+    if (name === "wind") list.append(windScale(run));
   }
   run.layers.now((layers) => {
     for (const [name, { box }] of rows) box.checked = layers[name];
@@ -103,6 +108,33 @@ function layerBoxes(run: Run): HTMLElement {
     show(rows.get("cut")!.row, has.overhead);
   });
   return list;
+}
+
+/** From which colour to which links go, and what that means; as long as there are any. */
+function linksScale(run: Run, dark: Signal<boolean>): HTMLElement {
+  const bar = h("div", { class: "ramp" });
+  const { low, high } = linkScale(false);
+  const scale = h("div", { class: "scale figure", id: "links-scale", title: "Links by the strength of their signal" }, h("span", { text: low }), bar, h("span", { text: high }));
+  const end = dark.now((dark) => (bar.style.background = `linear-gradient(to right, ${linkScale(dark).stops.join(", ")})`));
+  run.gone.signal.addEventListener("abort", end);
+  const update = () => show(scale, run.layers.value.links && run.links.value.length > 0);
+  run.links.now(update);
+  run.layers.on(update);
+  return scale;
+}
+
+/** How fast the longest arrow is. */
+function windScale(run: Run): HTMLElement {
+  const text = h("span");
+  const scale = h("div", { class: "scale figure", id: "wind-scale", title: "Arrows half as long: a quarter of the speed" }, text);
+  const update = () => {
+    const fastest = run.layers.value.wind ? longest(run.wind.value) : "";
+    say(text, `longest arrow ${fastest}`);
+    show(scale, fastest !== "");
+  };
+  run.wind.now(update);
+  run.layers.on(update);
+  return scale;
 }
 
 function colourChoice(run: Run): HTMLElement {
