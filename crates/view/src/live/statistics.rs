@@ -14,6 +14,9 @@ const SAMPLE_S: f64 = 0.1;
 const SAMPLE_LEAST: Duration = Duration::from_millis(20);
 const SAMPLE_MOST: Duration = Duration::from_millis(250);
 
+/// Virtual time over which the delivery of packets is a mean: in a tenth of a second there is often one packet, or none.
+const DELIVERY_NS: u64 = 1_000_000_000;
+
 /// Wall time over which the speed is a mean.
 const SPEED: Duration = Duration::from_secs(1);
 
@@ -70,6 +73,27 @@ struct Air {
     received: usize,
     delivery: usize,
     last: Counters,
+    lately: Delivered,
+}
+
+/// Virtual time, ns, and the frames received and missed, of the samples of the last second.
+#[derive(Default)]
+struct Delivered(VecDeque<(u64, f64, f64)>);
+
+impl Delivered {
+    /// Received over what could have been, in the last second; no number if there was nothing to receive.
+    fn share(&mut self, now_ns: u64, received: f64, missed: f64) -> f64 {
+        self.0.push_back((now_ns, received, missed));
+        while let Some((then_ns, ..)) = self.0.front() {
+            if now_ns.saturating_sub(*then_ns) < DELIVERY_NS {
+                break;
+            }
+            self.0.pop_front();
+        }
+        let received: f64 = self.0.iter().map(|(_, received, _)| received).sum();
+        let missed: f64 = self.0.iter().map(|(.., missed)| missed).sum();
+        received / (received + missed)
+    }
 }
 
 /// The vehicles that have batteries, and what each has spent.
@@ -161,7 +185,7 @@ impl Statistics {
             let missed = since(|c| c.missed().saturating_sub(c.lost(Loss::OutOfRange)));
             series.set(air.sent, sent / passed_s);
             series.set(air.received, received / passed_s);
-            series.set(air.delivery, received / (received + missed));
+            series.set(air.delivery, air.lately.share(now_ns, received, missed));
         }
         if !self.batteries.vehicles.is_empty() {
             let rate = if watched {
@@ -211,5 +235,21 @@ mod tests {
         passed.stood(3_100_000_000, at(60_000));
         let speed = passed.speed(3_300_000_000, at(60_100));
         assert!((speed - 2.0).abs() < 1e-9, "{speed}");
+    }
+
+    #[test]
+    fn the_delivery_is_that_of_the_last_second_whatever_a_single_sample_has() {
+        let mut lately = Delivered::default();
+        let at = |tenth: u64| tenth * 100_000_000;
+        assert!(lately.share(at(1), 0.0, 0.0).is_nan());
+        assert_eq!(lately.share(at(2), 9.0, 0.0), 1.0);
+        assert_eq!(lately.share(at(3), 0.0, 0.0), 1.0);
+        assert_eq!(lately.share(at(4), 0.0, 1.0), 0.9);
+        assert_eq!(lately.share(at(11), 0.0, 0.0), 0.9);
+        assert_eq!(lately.share(at(12), 3.0, 0.0), 0.75);
+        assert!(lately.share(at(40), 0.0, 0.0).is_nan());
+        // Samples farther apart than that are of their own time.
+        assert_eq!(lately.share(at(90), 1.0, 1.0), 0.5);
+        assert_eq!(lately.share(at(130), 1.0, 0.0), 1.0);
     }
 }
