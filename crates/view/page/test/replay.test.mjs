@@ -169,6 +169,13 @@ test("the selected vehicle is told about at the time that is shown", async () =>
   await until(page, (x) => document.getElementById("now-x").textContent !== x, x);
 });
 
+test("what was not recorded says what the recorder needs", async () => {
+  // The scenario's recorder has neither: it records what is usual.
+  await page.locator("#sensors .hint").waitFor();
+  assert.match(await page.locator("#sensors .hint").textContent(), /readings = \["scout-3\/\*"\]/);
+  assert.match(await page.locator(".radio .hint").first().textContent(), /radios = \["scout-3\/\*"\]/);
+});
+
 test("a click on a chart goes to that time", async () => {
   const over = page.locator(".chart .u-over").first();
   // Into its middle, wherever that is by then: charts move together when the selected vehicle's come.

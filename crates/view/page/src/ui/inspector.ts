@@ -8,7 +8,7 @@ import type { Run } from "../run";
 import { GREY, css } from "../scene/colours";
 import { coloursOfKinds } from "../scene/paint";
 import type { Details, Frame } from "../wire";
-import { sensorRows } from "./sensors";
+import { recorderHint, sensorRows } from "./sensors";
 
 /** Packets that are listed: the newest. */
 const MOST_PACKETS = 8;
@@ -94,10 +94,11 @@ function shapeOf(details: Details): string {
 }
 
 function sectionsOf(run: Run, details: Details): Section[] {
+  const recorded = run.replay ? run.path(details.vehicle) : null;
   const sections: Section[] = [];
   if (details.battery) sections.push(batterySection());
-  if (details.sensors.length > 0) sections.push(sensorRows(details, run.replay !== null));
-  if (details.radios.length > 0) sections.push(radioSection(details));
+  if (details.sensors.length > 0) sections.push(sensorRows(details, recorded));
+  if (details.radios.length > 0) sections.push(radioSection(details, recorded));
   if (details.packets.length > 0) sections.push(packetsSection(run));
   if (details.parts.length > 0) sections.push(partsSection(details));
   return sections;
@@ -156,13 +157,13 @@ function batterySection(): Section {
   };
 }
 
-function radioSection(details: Details): Section {
+function radioSection(details: Details, recorded: string | null): Section {
   const rows = details.radios.map((radio) => {
     const state = h("span", { class: "faint" });
     const sent = h("td", { class: "figure" });
     const received = h("td", { class: "figure" });
     const lost = h("p", { class: "faint" });
-    const uncounted = h("p", { class: "faint", text: "Its frames were not counted." });
+    const uncounted = recorded === null ? h("p", { class: "faint", text: "Its frames were not counted." }) : recorderHint("Its frames were not counted: that does a recorder with", "radios", recorded);
     const table = h(
       "table",
       { class: "facts" },

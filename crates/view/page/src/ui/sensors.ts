@@ -16,14 +16,23 @@ interface Row {
   update(sensor: SensorDetails): void;
 }
 
-export function sensorRows(details: Details, recorded: boolean): { element: HTMLElement; update(details: Details): void } {
-  const rows = details.sensors.map((sensor) => sensorRow(sensor, recorded));
+/** `recorded`: the path of the vehicle in a recording; null: the run is live. */
+export function sensorRows(details: Details, recorded: string | null): { element: HTMLElement; update(details: Details): void } {
+  const rows = details.sensors.map((sensor) => sensorRow(sensor, recorded !== null));
+  const hint = recorded === null ? null : recorderHint("Readings are in a recording whose recorder has", "readings", recorded);
   return {
-    element: h("section", { id: "sensors" }, title(), ...rows.map((row) => row.element)),
+    element: h("section", { id: "sensors" }, title(), ...rows.map((row) => row.element), hint),
     update({ sensors }) {
       sensors.forEach((sensor, at) => rows[at]?.update(sensor));
+      if (hint) show(hint, sensors.some((sensor) => sensor.t === null));
     },
   };
+}
+
+/** What to write into a scenario so that the next recording has it. */
+export function recorderHint(words: string, parameter: string, path: string): HTMLElement {
+  const line = `${parameter} = ["${path}/*"]`;
+  return h("p", { class: "faint hint", title: `[[component]]\nuse = "recorder"\n${line}` }, `${words} `, h("code", { text: line }), ".");
 }
 
 /** What the columns below are. */
