@@ -67,6 +67,37 @@ test("the picture keeps its place and size when the run starts, and when a vehic
   assert.deepEqual(await box(), before);
 });
 
+test("with large text the charts in sight are whole, the names of kinds too, and all of the layers panel", async () => {
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("z");
+  const before = await page.evaluate(() => location.hash);
+  await page.evaluate(() => (location.hash = "#charts=speed,contacts,a,b,c,d,e,f"));
+  await until(page, () => document.querySelectorAll(".chart").length === 8);
+  for (const [width, height] of [[1366, 768], [1024, 768]]) {
+    await page.setViewportSize({ width, height });
+    await until(page, (width) => innerWidth === width, width);
+    await until(page, () => {
+      const row = document.getElementById("chart-row").getBoundingClientRect();
+      const boxes = [...document.querySelectorAll(".chart")].map((it) => it.getBoundingClientRect());
+      const whole = boxes.filter((box) => box.left >= row.left - 1 && box.right <= row.right + 1);
+      const cut = boxes.filter((box) => box.left < row.right - 1 && box.right > row.right + 1);
+      return whole.length >= 3 && whole.length < 8 && cut.length === 0;
+    });
+    const panel = await page.evaluate(() => {
+      const left = document.getElementById("layers");
+      const [entry] = [...document.querySelectorAll("#legend .entry .whole")].filter((it) => it.textContent === "random-walk-bee");
+      return { hidden: left.scrollHeight - left.clientHeight, wide: left.scrollWidth - left.clientWidth, cut: entry.scrollWidth - entry.clientWidth };
+    });
+    assert.ok(panel.hidden <= 1 && panel.wide <= 1 && panel.cut <= 1, `${width} by ${height}: ${JSON.stringify(panel)}`);
+  }
+  await page.keyboard.press("z");
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.evaluate((hash) => history.replaceState(null, "", hash || "#"), before);
+  await page.click("#choose-charts");
+  await page.click("#usual-charts");
+  await page.keyboard.press("Escape");
+});
+
 test("a run that stands is not drawn again, and its selected vehicle neither", async () => {
   await stands(page);
 });

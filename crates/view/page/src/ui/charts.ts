@@ -16,6 +16,9 @@ const MOST = 6;
 /** Of these, such that models publish. */
 const MOST_PUBLISHED = 2;
 const PERIOD_MS = 250;
+/** How narrow a chart may be, and the gap between two, in the page's text. */
+const NARROWEST = 8.5;
+const GAP = 1;
 
 export interface ChartsPanel {
   element: HTMLElement;
@@ -49,6 +52,7 @@ export function chartsPanel(run: Run, settings: Settings): ChartsPanel {
     const elements = keys.map((key) => charts.get(nameOf(key))!.element);
     if (elements.some((element, at) => row.children[at] !== element) || row.children.length !== elements.length) {
       row.replaceChildren(...elements);
+      fit();
     }
     empty.textContent = run.charts.value === null ? "Numbers over time come here as soon as there are some." : "No chart is chosen.";
     show(empty, keys.length === 0);
@@ -60,6 +64,10 @@ export function chartsPanel(run: Run, settings: Settings): ChartsPanel {
     run.charts.value = chosen(run).filter((other) => nameOf(other) !== nameOf(key));
   };
 
+  // Charts that are in sight are whole: as many as there is room for, and the others are scrolled to.
+  const fit = () => row.style.setProperty("--columns", String(columnsOf(row.clientWidth, Number.parseFloat(getComputedStyle(document.documentElement).fontSize), row.children.length)));
+  const sizes = new ResizeObserver(fit);
+  sizes.observe(row);
   const arrangeSoon = throttled(PERIOD_MS, arrange);
   run.series.known.now(arrangeSoon);
   run.charts.on(arrange);
@@ -77,12 +85,19 @@ export function chartsPanel(run: Run, settings: Settings): ChartsPanel {
   const ends = [settings.dark.on(rebuild), settings.large.on(rebuild)];
   run.gone.signal.addEventListener("abort", () => {
     for (const end of ends) end();
+    sizes.disconnect();
     for (const chart of charts.values()) chart.dispose();
   });
   return {
     element: h("section", { class: "panel below", id: "charts", "aria-label": "charts" }, row, empty, h("div", { class: "charttools" }, add), choice.element),
     choose: choice.toggle,
   };
+}
+
+/** How many of so many charts stand side by side in a row of this width; `text_px` is the size of the page's text. */
+export function columnsOf(row_px: number, text_px: number, charts: number): number {
+  const fit = Math.floor((row_px / text_px + GAP) / (NARROWEST + GAP));
+  return Math.max(1, Math.min(fit, charts));
 }
 
 /** The charts that were chosen; before anybody did, those that have something to show. */
