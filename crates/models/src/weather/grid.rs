@@ -388,10 +388,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let folder = folder.path();
         std::fs::write(folder.join("w.csv"), "u,v,w\n1,2,3\n").expect("a file");
-        let site = Site {
-            seed: 0,
-            folder,
-        };
+        let site = Site { seed: 0, folder };
         let params = |file: &str| GridParams {
             file: file.into(),
             outside: Outside::Hold,
