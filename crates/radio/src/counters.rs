@@ -51,6 +51,16 @@ impl Loss {
         Self::NoChannel,
     ];
 
+    /// Whether the frame was sent, and passed a radio by on its channel.
+    #[must_use]
+    pub const fn is_at_receiver(self) -> bool {
+        use Loss::{Asleep, BelowSensitivity, Collision, HalfDuplex, Noise, OutOfRange};
+        matches!(
+            self,
+            OutOfRange | BelowSensitivity | Noise | Collision | HalfDuplex | Asleep
+        )
+    }
+
     /// Its name in summaries and recordings.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -96,18 +106,8 @@ impl Counters {
     /// are not among them.
     #[must_use]
     pub fn missed(&self) -> u64 {
-        use Loss::{Asleep, BelowSensitivity, Collision, HalfDuplex, Noise, OutOfRange};
-        [
-            OutOfRange,
-            BelowSensitivity,
-            Noise,
-            Collision,
-            HalfDuplex,
-            Asleep,
-        ]
-        .iter()
-        .map(|&reason| self.lost(reason))
-        .sum()
+        let reasons = Loss::ALL.into_iter().filter(|it| it.is_at_receiver());
+        reasons.map(|reason| self.lost(reason)).sum()
     }
 
     pub(crate) fn lose(&mut self, reason: Loss, frames: u64) {

@@ -4,6 +4,7 @@ use crate::message::{self, Timestamp};
 use crate::messages::Messages;
 use crate::recording::{ReadError, Recording, topic_list};
 use crate::topic::Topic;
+use simbeeotic_model::radio::Loss;
 use std::ops::RangeInclusive;
 
 /// One transmission, and who received it.
@@ -76,6 +77,20 @@ pub struct Tallies {
     pub overheard: u64,
     /// Lost, by reason ([`Loss::name`](simbeeotic_model::radio::Loss::name)); each reason once.
     pub lost: Vec<(String, u64)>,
+}
+
+impl Tallies {
+    /// Frames that a radio in reach of their sender did not receive, for any reason; those that were never sent are
+    /// not among them.
+    #[must_use]
+    pub fn missed_in_reach(&self) -> u64 {
+        let missed = |name: &str| {
+            let mut reasons = Loss::ALL.into_iter().filter(|it| it.is_at_receiver());
+            name != Loss::OutOfRange.name() && reasons.any(|it| it.name() == name)
+        };
+        let lost = self.lost.iter().filter(|(name, _)| missed(name));
+        lost.map(|(_, frames)| frames).sum()
+    }
 }
 
 impl Tallies {

@@ -6,9 +6,11 @@
 //! kept for whoever asks next.
 
 mod details;
+mod faults;
 mod film;
 mod page;
 mod past;
+mod rates;
 
 use crate::server::{Bell, Page, Picture, Source, pictures};
 use crate::wire::{Asked, Facts, Hello, Message, Mode, Replayed, seconds};

@@ -1,11 +1,12 @@
 //! What is read of a recording once: marks, statistics, wind, and what vehicles published.
 
+use super::faults::Faults;
+use super::rates::{self, Rates};
 use super::vehicle_of;
 use crate::series::{History, Series};
 use crate::wire::{Mark, seconds};
-use simbeeotic_record::{Metrics, ReadError, Recording, Wind};
-use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use simbeeotic_record::{Metrics, Recording, Wind};
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -14,9 +15,6 @@ const MARKS_MAX: usize = 5000;
 
 /// Winds that a page is told: 10 kB each.
 const WINDS_MAX: usize = 120;
-
-/// Faults of a recording that a page is told.
-const FAULTS_MAX: usize = 5;
 
 /// Bytes of columns that are kept to colour vehicles by.
 const COLUMNS_BYTES: usize = 32 << 20;
@@ -38,27 +36,6 @@ pub(super) struct Past {
     columns: BTreeMap<String, Columns>,
     /// What could not be read, for people.
     pub(super) faults: Vec<String>,
-}
-
-/// What could not be read, each once.
-#[derive(Default)]
-struct Faults(RefCell<BTreeSet<String>>);
-
-impl Faults {
-    /// Those that are read; of the others is kept why not.
-    fn good<'a, T>(
-        &'a self,
-        items: impl Iterator<Item = Result<T, ReadError>> + 'a,
-    ) -> impl Iterator<Item = T> + 'a {
-        items.filter_map(|item| item.map_err(|e| self.add(e.to_string())).ok())
-    }
-
-    fn add(&self, text: String) {
-        let mut known = self.0.borrow_mut();
-        if known.len() < FAULTS_MAX {
-            known.insert(text);
-        }
-    }
 }
 
 impl Past {
@@ -97,7 +74,7 @@ impl Past {
             .for_each(|it| wind.push(it));
         past.wind = wind.list;
         past.read_series(recording, places, &faults);
-        past.faults = faults.0.into_inner().into_iter().collect();
+        past.faults = faults.into_list();
         past
     }
 
@@ -108,59 +85,19 @@ impl Past {
         places: &BTreeMap<String, u32>,
         faults: &Faults,
     ) {
-        let contacts = self.series.statistic("contacts", "1/s");
         let end_s = seconds(recording.end_ns());
         // A thousand values, or one a second, whichever is more.
         let period_s = (end_s / 1000.0).clamp(0.001, 1.0);
-        let mut touches = faults
-            .good(recording.events())
-            .filter(|event| event.kind == "contact")
-            .map(|event| seconds(event.time_ns))
-            .peekable();
-        let all = |traffic: &simbeeotic_record::Traffic| traffic.radio.is_empty();
-        let mut traffic = faults
-            .good(recording.traffic_in(0..=u64::MAX))
-            .filter(all)
-            .peekable();
-        let air = traffic.peek().is_some().then(|| {
-            let series = &mut self.series;
-            [
-                series.statistic("packets/sent", "1/s"),
-                series.statistic("packets/received", "1/s"),
-                series.statistic("packets/delivery", "1"),
-            ]
-        });
+        let mut rates = Rates::start(recording, faults, &mut self.series);
         let mut metrics = faults.good(recording.metrics()).peekable();
         let count = places.len().max(1);
         let most = (COLUMNS_BYTES / (4 * count * 4)).clamp(10, COLUMNS_MAX);
         let (mut next_s, every_s) = (0.0, end_s / most as f64);
         let mut time_s = 0.0;
         while time_s < end_s {
+            let from_s = time_s;
             time_s = (time_s + period_s).min(end_s);
-            let mut count = 0;
-            while touches.next_if(|t| *t <= time_s).is_some() {
-                count += 1;
-            }
-            self.series.set(contacts, f64::from(count) / period_s);
-            while let Some(period) = traffic.next_if(|t| seconds(t.time_ns) <= time_s) {
-                let tallies = &period.period;
-                let lost = |(why, n): &(String, u64)| match why.as_str() {
-                    // Not received, by radios that were near enough.
-                    "below-sensitivity" | "noise" | "collision" | "half-duplex" | "asleep" => *n,
-                    _ => 0,
-                };
-                let lost: u64 = tallies.lost.iter().map(lost).sum();
-                let (sent, received) = (tallies.sent as f64, tallies.received as f64);
-                let span_s = period.period_s.max(1e-9);
-                if let Some([sent_at, received_at, delivery_at]) =
-                    air.filter(|_| period.period_s > 0.0)
-                {
-                    self.series.set(sent_at, sent / span_s);
-                    self.series.set(received_at, received / span_s);
-                    let delivery = received / (received + lost as f64);
-                    self.series.set(delivery_at, delivery);
-                }
-            }
+            rates.set(from_s, time_s, &mut self.series);
             while let Some(list) = metrics.next_if(|list| seconds(list.time_ns) <= time_s) {
                 self.publish(&list, places);
             }
@@ -188,6 +125,7 @@ impl Past {
                 Some((vehicle, name)) if !name.is_empty() => {
                     self.series.publish(name, unit, vehicle, metric.value);
                 }
+                _ if rates::NAMES.contains(&metric.name.as_str()) => {}
                 _ => {
                     let at = self.series.statistic(&metric.name, unit);
                     self.series.set(at, metric.value);
