@@ -1,289 +1,231 @@
 //! What Foxglove's scenes and point clouds mean, and those of our messages that use them. Fields that we never
 //! write are described too: readers of these well-known types may ask for them.
 
-use super::{Enum, Kind, POSE, TIME, TIMESTAMP, Type, VECTOR3, many, one};
+use super::known::{POSE, TIME, VECTOR3};
+use super::{Enum, Kind, Type, many, one};
 
 static DURATION: Type = Type {
     package: "google.protobuf",
     name: "Duration",
-    file: "google/protobuf/duration.proto",
-    imports: &[],
     fields: &[one("seconds", 1, Kind::Int64), one("nanos", 2, Kind::Int32)],
-    enums: &[],
 };
 
 static COLOR: Type = Type {
     package: "foxglove",
     name: "Color",
-    file: "foxglove/Color.proto",
-    imports: &[],
     fields: &[
         one("r", 1, Kind::Double),
         one("g", 2, Kind::Double),
         one("b", 3, Kind::Double),
         one("a", 4, Kind::Double),
     ],
-    enums: &[],
 };
 
 static KEY_VALUE: Type = Type {
     package: "foxglove",
     name: "KeyValuePair",
-    file: "foxglove/KeyValuePair.proto",
-    imports: &[],
     fields: &[one("key", 1, Kind::Text), one("value", 2, Kind::Text)],
-    enums: &[],
 };
 
 static POINT3: Type = Type {
     package: "foxglove",
     name: "Point3",
-    file: "foxglove/Point3.proto",
-    imports: &[],
     fields: &[
         one("x", 1, Kind::Double),
         one("y", 2, Kind::Double),
         one("z", 3, Kind::Double),
     ],
-    enums: &[],
 };
 
 static ARROW: Type = Type {
     package: "foxglove",
     name: "ArrowPrimitive",
-    file: "foxglove/ArrowPrimitive.proto",
-    imports: &[&COLOR, &POSE],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
+        one("pose", 1, Kind::Message(&POSE)),
         one("shaft_length", 2, Kind::Double),
         one("shaft_diameter", 3, Kind::Double),
         one("head_length", 4, Kind::Double),
         one("head_diameter", 5, Kind::Double),
-        one("color", 6, Kind::Message(".foxglove.Color")),
+        one("color", 6, Kind::Message(&COLOR)),
     ],
-    enums: &[],
 };
 
 static CUBE: Type = Type {
     package: "foxglove",
     name: "CubePrimitive",
-    file: "foxglove/CubePrimitive.proto",
-    imports: &[&COLOR, &POSE, &VECTOR3],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
-        one("size", 2, Kind::Message(".foxglove.Vector3")),
-        one("color", 3, Kind::Message(".foxglove.Color")),
+        one("pose", 1, Kind::Message(&POSE)),
+        one("size", 2, Kind::Message(&VECTOR3)),
+        one("color", 3, Kind::Message(&COLOR)),
     ],
-    enums: &[],
 };
 
 static SPHERE: Type = Type {
     package: "foxglove",
     name: "SpherePrimitive",
-    file: "foxglove/SpherePrimitive.proto",
-    imports: &[&COLOR, &POSE, &VECTOR3],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
-        one("size", 2, Kind::Message(".foxglove.Vector3")),
-        one("color", 3, Kind::Message(".foxglove.Color")),
+        one("pose", 1, Kind::Message(&POSE)),
+        one("size", 2, Kind::Message(&VECTOR3)),
+        one("color", 3, Kind::Message(&COLOR)),
     ],
-    enums: &[],
 };
 
 static CYLINDER: Type = Type {
     package: "foxglove",
     name: "CylinderPrimitive",
-    file: "foxglove/CylinderPrimitive.proto",
-    imports: &[&COLOR, &POSE, &VECTOR3],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
-        one("size", 2, Kind::Message(".foxglove.Vector3")),
+        one("pose", 1, Kind::Message(&POSE)),
+        one("size", 2, Kind::Message(&VECTOR3)),
         one("bottom_scale", 3, Kind::Double),
         one("top_scale", 4, Kind::Double),
-        one("color", 5, Kind::Message(".foxglove.Color")),
+        one("color", 5, Kind::Message(&COLOR)),
     ],
-    enums: &[],
 };
 
 static LINE: Type = Type {
     package: "foxglove",
     name: "LinePrimitive",
-    file: "foxglove/LinePrimitive.proto",
-    imports: &[&COLOR, &POINT3, &POSE],
     fields: &[
-        one("type", 1, Kind::Enum(".foxglove.LinePrimitive.Type")),
-        one("pose", 2, Kind::Message(".foxglove.Pose")),
+        one(
+            "type",
+            1,
+            Kind::Enum(&Enum {
+                name: "Type",
+                values: &["LINE_STRIP", "LINE_LOOP", "LINE_LIST"],
+            }),
+        ),
+        one("pose", 2, Kind::Message(&POSE)),
         one("thickness", 3, Kind::Double),
         one("scale_invariant", 4, Kind::Bool),
-        many("points", 5, Kind::Message(".foxglove.Point3")),
-        one("color", 6, Kind::Message(".foxglove.Color")),
-        many("colors", 7, Kind::Message(".foxglove.Color")),
+        many("points", 5, Kind::Message(&POINT3)),
+        one("color", 6, Kind::Message(&COLOR)),
+        many("colors", 7, Kind::Message(&COLOR)),
         many("indices", 8, Kind::Fixed32),
     ],
-    enums: &[Enum {
-        name: "Type",
-        values: &["LINE_STRIP", "LINE_LOOP", "LINE_LIST"],
-    }],
 };
 
 static TRIANGLES: Type = Type {
     package: "foxglove",
     name: "TriangleListPrimitive",
-    file: "foxglove/TriangleListPrimitive.proto",
-    imports: &[&COLOR, &POINT3, &POSE],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
-        many("points", 2, Kind::Message(".foxglove.Point3")),
-        one("color", 3, Kind::Message(".foxglove.Color")),
-        many("colors", 4, Kind::Message(".foxglove.Color")),
+        one("pose", 1, Kind::Message(&POSE)),
+        many("points", 2, Kind::Message(&POINT3)),
+        one("color", 3, Kind::Message(&COLOR)),
+        many("colors", 4, Kind::Message(&COLOR)),
         many("indices", 5, Kind::Fixed32),
     ],
-    enums: &[],
 };
 
 static TEXT: Type = Type {
     package: "foxglove",
     name: "TextPrimitive",
-    file: "foxglove/TextPrimitive.proto",
-    imports: &[&COLOR, &POSE],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
+        one("pose", 1, Kind::Message(&POSE)),
         one("billboard", 2, Kind::Bool),
         one("font_size", 3, Kind::Double),
         one("scale_invariant", 4, Kind::Bool),
-        one("color", 5, Kind::Message(".foxglove.Color")),
+        one("color", 5, Kind::Message(&COLOR)),
         one("text", 6, Kind::Text),
     ],
-    enums: &[],
 };
 
 static MODEL: Type = Type {
     package: "foxglove",
     name: "ModelPrimitive",
-    file: "foxglove/ModelPrimitive.proto",
-    imports: &[&COLOR, &POSE, &VECTOR3],
     fields: &[
-        one("pose", 1, Kind::Message(".foxglove.Pose")),
-        one("scale", 2, Kind::Message(".foxglove.Vector3")),
-        one("color", 3, Kind::Message(".foxglove.Color")),
+        one("pose", 1, Kind::Message(&POSE)),
+        one("scale", 2, Kind::Message(&VECTOR3)),
+        one("color", 3, Kind::Message(&COLOR)),
         one("override_color", 4, Kind::Bool),
         one("url", 5, Kind::Text),
         one("media_type", 6, Kind::Text),
         one("data", 7, Kind::Bytes),
     ],
-    enums: &[],
 };
 
 static SCENE_ENTITY: Type = Type {
     package: "foxglove",
     name: "SceneEntity",
-    file: "foxglove/SceneEntity.proto",
-    imports: &[
-        &ARROW, &CUBE, &CYLINDER, &DURATION, &KEY_VALUE, &LINE, &MODEL, &SPHERE, &TEXT, &TIMESTAMP,
-        &TRIANGLES,
-    ],
     fields: &[
         one("timestamp", 1, TIME),
         one("frame_id", 2, Kind::Text),
         one("id", 3, Kind::Text),
-        one("lifetime", 4, Kind::Message(".google.protobuf.Duration")),
+        one("lifetime", 4, Kind::Message(&DURATION)),
         one("frame_locked", 5, Kind::Bool),
-        many("metadata", 6, Kind::Message(".foxglove.KeyValuePair")),
-        many("arrows", 7, Kind::Message(".foxglove.ArrowPrimitive")),
-        many("cubes", 8, Kind::Message(".foxglove.CubePrimitive")),
-        many("spheres", 9, Kind::Message(".foxglove.SpherePrimitive")),
-        many(
-            "cylinders",
-            10,
-            Kind::Message(".foxglove.CylinderPrimitive"),
-        ),
-        many("lines", 11, Kind::Message(".foxglove.LinePrimitive")),
-        many(
-            "triangles",
-            12,
-            Kind::Message(".foxglove.TriangleListPrimitive"),
-        ),
-        many("texts", 13, Kind::Message(".foxglove.TextPrimitive")),
-        many("models", 14, Kind::Message(".foxglove.ModelPrimitive")),
+        many("metadata", 6, Kind::Message(&KEY_VALUE)),
+        many("arrows", 7, Kind::Message(&ARROW)),
+        many("cubes", 8, Kind::Message(&CUBE)),
+        many("spheres", 9, Kind::Message(&SPHERE)),
+        many("cylinders", 10, Kind::Message(&CYLINDER)),
+        many("lines", 11, Kind::Message(&LINE)),
+        many("triangles", 12, Kind::Message(&TRIANGLES)),
+        many("texts", 13, Kind::Message(&TEXT)),
+        many("models", 14, Kind::Message(&MODEL)),
     ],
-    enums: &[],
 };
 
 static DELETION: Type = Type {
     package: "foxglove",
     name: "SceneEntityDeletion",
-    file: "foxglove/SceneEntityDeletion.proto",
-    imports: &[&TIMESTAMP],
     fields: &[
         one("timestamp", 1, TIME),
-        one("type", 2, Kind::Enum(".foxglove.SceneEntityDeletion.Type")),
+        one(
+            "type",
+            2,
+            Kind::Enum(&Enum {
+                name: "Type",
+                values: &["MATCHING_ID", "ALL"],
+            }),
+        ),
         one("id", 3, Kind::Text),
     ],
-    enums: &[Enum {
-        name: "Type",
-        values: &["MATCHING_ID", "ALL"],
-    }],
 };
 
 pub(crate) static SCENE_UPDATE: Type = Type {
     package: "foxglove",
     name: "SceneUpdate",
-    file: "foxglove/SceneUpdate.proto",
-    imports: &[&SCENE_ENTITY, &DELETION],
     fields: &[
-        many(
-            "deletions",
-            1,
-            Kind::Message(".foxglove.SceneEntityDeletion"),
-        ),
-        many("entities", 2, Kind::Message(".foxglove.SceneEntity")),
+        many("deletions", 1, Kind::Message(&DELETION)),
+        many("entities", 2, Kind::Message(&SCENE_ENTITY)),
     ],
-    enums: &[],
 };
 
 static PACKED_FIELD: Type = Type {
     package: "foxglove",
     name: "PackedElementField",
-    file: "foxglove/PackedElementField.proto",
-    imports: &[],
     fields: &[
         one("name", 1, Kind::Text),
         one("offset", 2, Kind::Fixed32),
         one(
             "type",
             3,
-            Kind::Enum(".foxglove.PackedElementField.NumericType"),
+            Kind::Enum(&Enum {
+                name: "NumericType",
+                values: &[
+                    "UNKNOWN", "UINT8", "INT8", "UINT16", "INT16", "UINT32", "INT32", "FLOAT32",
+                    "FLOAT64",
+                ],
+            }),
         ),
     ],
-    enums: &[Enum {
-        name: "NumericType",
-        values: &[
-            "UNKNOWN", "UINT8", "INT8", "UINT16", "INT16", "UINT32", "INT32", "FLOAT32", "FLOAT64",
-        ],
-    }],
 };
 
 pub(crate) static POINT_CLOUD: Type = Type {
     package: "foxglove",
     name: "PointCloud",
-    file: "foxglove/PointCloud.proto",
-    imports: &[&PACKED_FIELD, &POSE, &TIMESTAMP],
     fields: &[
         one("timestamp", 1, TIME),
         one("frame_id", 2, Kind::Text),
-        one("pose", 3, Kind::Message(".foxglove.Pose")),
+        one("pose", 3, Kind::Message(&POSE)),
         one("point_stride", 4, Kind::Fixed32),
-        many("fields", 5, Kind::Message(".foxglove.PackedElementField")),
+        many("fields", 5, Kind::Message(&PACKED_FIELD)),
         one("data", 6, Kind::Bytes),
     ],
-    enums: &[],
 };
 
 pub(crate) static VEHICLES: Type = Type {
     package: "simbeeotic",
     name: "Vehicles",
-    file: "simbeeotic/Vehicles.proto",
-    imports: &[&SCENE_ENTITY],
     fields: &[
         many("paths", 1, Kind::Text),
         many("kinds", 2, Kind::Text),
@@ -291,29 +233,23 @@ pub(crate) static VEHICLES: Type = Type {
         many("roles", 4, Kind::Text),
         many("colors_rgba", 5, Kind::Fixed32),
         many("look", 6, Kind::Int32),
-        many("looks", 7, Kind::Message(".foxglove.SceneEntity")),
+        many("looks", 7, Kind::Message(&SCENE_ENTITY)),
     ],
-    enums: &[],
 };
 
 static ABOUT_PART: Type = Type {
     package: "simbeeotic",
     name: "AboutPart",
-    file: "simbeeotic/AboutPart.proto",
-    imports: &[&KEY_VALUE],
     fields: &[
         one("place", 1, Kind::Text),
         one("name", 2, Kind::Text),
-        many("parameters", 3, Kind::Message(".foxglove.KeyValuePair")),
+        many("parameters", 3, Kind::Message(&KEY_VALUE)),
     ],
-    enums: &[],
 };
 
 static ABOUT_BEAMS: Type = Type {
     package: "simbeeotic",
     name: "AboutBeams",
-    file: "simbeeotic/AboutBeams.proto",
-    imports: &[],
     fields: &[
         one("kind", 1, Kind::Text),
         one("range_m", 2, Kind::Double),
@@ -322,34 +258,27 @@ static ABOUT_BEAMS: Type = Type {
         one("horizontal_rad", 5, Kind::Double),
         one("vertical_rad", 6, Kind::Double),
     ],
-    enums: &[],
 };
 
 static ABOUT_SENSOR: Type = Type {
     package: "simbeeotic",
     name: "AboutSensor",
-    file: "simbeeotic/AboutSensor.proto",
-    imports: &[&ABOUT_BEAMS, &POSE],
     fields: &[
         one("name", 1, Kind::Text),
-        one("mount", 2, Kind::Message(".foxglove.Pose")),
-        one("beams", 3, Kind::Message(".simbeeotic.AboutBeams")),
+        one("mount", 2, Kind::Message(&POSE)),
+        one("beams", 3, Kind::Message(&ABOUT_BEAMS)),
     ],
-    enums: &[],
 };
 
 pub(crate) static ABOUT: Type = Type {
     package: "simbeeotic",
     name: "About",
-    file: "simbeeotic/About.proto",
-    imports: &[&ABOUT_PART, &ABOUT_SENSOR],
     fields: &[
         many("models", 1, Kind::Text),
-        many("parts", 2, Kind::Message(".simbeeotic.AboutPart")),
-        many("sensors", 3, Kind::Message(".simbeeotic.AboutSensor")),
+        many("parts", 2, Kind::Message(&ABOUT_PART)),
+        many("sensors", 3, Kind::Message(&ABOUT_SENSOR)),
         many("radios", 4, Kind::Text),
     ],
-    enums: &[],
 };
 
 #[cfg(test)]
