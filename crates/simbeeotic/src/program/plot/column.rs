@@ -229,7 +229,7 @@ mod tests {
         let mut headed: Vec<Entry> = [20.0; 4].map(entry).into();
         headed[1].leads = true;
         let places = in_columns(&headed, 2);
-        assert_eq!(places[1..3], [(1, 0.0), (1, 20.0)], "not parted");
+        assert_eq!(places[1..3], [(0, 20.0), (0, 40.0)], "not parted");
     }
 
     /// The words of a picture with their places.
