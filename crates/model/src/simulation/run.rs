@@ -209,6 +209,25 @@ impl Simulation {
         self.engine.run_until(until)
     }
 
+    /// Where the wall time of the run so far has gone, which was `wall_s` in all, s.
+    pub fn shares(&self, wall_s: f64) -> TimeShares {
+        let (engine, swarm) = (&self.engine, self.engine.domain());
+        let wall = &engine.stats().wall;
+        // Receptions are worked out while models run, on all threads.
+        let collect_s =
+            swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
+        let radio_s = collect_s + swarm.medium_nanos as f64 * 1e-9;
+        let events_s = (wall.run_s - collect_s).max(0.0);
+        let physics_s = wall.close_s + swarm.contact_nanos as f64 * 1e-9;
+        TimeShares {
+            init_s: self.init_s,
+            events_s,
+            physics_s,
+            radio_s,
+            other_s: (wall_s - events_s - physics_s - radio_s).max(0.0),
+        }
+    }
+
     /// Runs to the end, lets components watch, and closes them whatever happens.
     pub fn run(&mut self) -> Outcome {
         let start = watch::now();
@@ -407,12 +426,6 @@ impl Simulation {
         let stats = engine.stats();
         let wall_s = start.elapsed().as_secs_f64();
         let virtual_s = engine.now().as_secs_f64();
-        // Receptions are worked out while models run, on all threads.
-        let collect_s =
-            swarm.radio_nanos.load(Ordering::Relaxed) as f64 * 1e-9 / engine.threads() as f64;
-        let radio_s = collect_s + swarm.medium_nanos as f64 * 1e-9;
-        let events_s = (stats.wall.run_s - collect_s).max(0.0);
-        let physics_s = stats.wall.close_s + swarm.contact_nanos as f64 * 1e-9;
         let mut total = Accounts::default();
         for id in 0..engine.agents().len() {
             total.add(&self.accounts_of(ModelId(id as u32)));
@@ -430,13 +443,7 @@ impl Simulation {
             virtual_s,
             wall_s,
             speed: virtual_s / wall_s.max(1e-9),
-            time: TimeShares {
-                init_s: self.init_s,
-                events_s,
-                physics_s,
-                radio_s,
-                other_s: (wall_s - events_s - physics_s - radio_s).max(0.0),
-            },
+            time: self.shares(wall_s),
             events: stats.events,
             instants: stats.instants,
             touches: swarm.touch_count,

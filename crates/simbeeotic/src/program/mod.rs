@@ -16,6 +16,7 @@ mod convert;
 mod export;
 mod help;
 mod input;
+mod journal;
 mod log;
 mod new;
 mod outputs;
@@ -110,6 +111,11 @@ impl Failure {
             message: String::new(),
             code: 130,
         }
+    }
+
+    /// Whether the user ended the run.
+    fn is_interrupt(&self) -> bool {
+        self.code == 130
     }
 }
 

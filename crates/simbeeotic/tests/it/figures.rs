@@ -8,7 +8,8 @@ use serde_json::Value;
 use std::fs::File;
 
 /// Where the time of a row goes.
-const SHARES: [&str; 6] = [
+const SHARES: [&str; 7] = [
+    "start_s",
     "events_s",
     "physics_s",
     "radio_s",
@@ -202,7 +203,7 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
     let kinds: Vec<_> = rows
         .iter()
         .map(|row| {
-            ["source", "kind", "n", "repeat"]
+            ["source", "kind", "bees", "repeat"]
                 .map(|name| get(row, name))
                 .join(" ")
         })
@@ -220,7 +221,18 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
     assert_eq!(get(&rows[4], "clock"), "processor time");
     for row in &rows[..4] {
         let number = |name: &str| get(row, name).parse::<f64>().expect(name);
-        assert!((number("ratio") - number("wall_s") / number("virtual_s")).abs() < 1e-12);
+        // The start once, and the rest as often as it fits.
+        let rest_s = number("wall_s") - number("start_s");
+        let stretched_s = number("start_s") + rest_s * 100.0 / number("virtual_s");
+        assert!(number("start_s") > 0.0 && rest_s > 0.0);
+        assert!((number("wall_s_per_100s") / stretched_s - 1.0).abs() < 1e-9);
+        assert!((number("ratio") / stretched_s * 100.0 - 1.0).abs() < 1e-9);
+        assert_eq!((number("seed"), number("duration_s")), (111_982.0, 0.5));
+        assert!(
+            get(row, "command").contains("bench fig7 --n 10,20 --duration '0.5 s'"),
+            "{}",
+            get(row, "command")
+        );
         assert!(number("cores") >= 1.0 && get(row, "version").contains("simbeeotic"));
         assert_eq!(
             get(row, "trace_hash").len(),
@@ -311,6 +323,12 @@ fn arguments_that_make_no_sense_are_refused_in_our_own_words() {
         (&["fig8", "--no-files", "-o", "here"], "cannot be used with"),
         (&["fig8", "--alone", "1:5"], "there are 1 lines"),
         (&["fig8", "--alone", "x"], "LINE:SIZE"),
+        (
+            &["fig7", "-o", "file"],
+            "--output file: this is a file, and a folder is wanted",
+        ),
+        (&["fig7", "--resume", "--restart"], "cannot be used with"),
+        (&["fig7", "--resume", "--no-files"], "cannot be used with"),
     ] {
         let call = program.call(&[&["bench"], arguments].concat());
         assert_eq!(call.code, Some(2), "{arguments:?}: {}", call.err);
@@ -346,5 +364,109 @@ fn a_run_by_itself_is_the_run_of_the_table() {
     assert!(
         run["cost"]["virtual_s"].as_f64().is_some_and(|t| t < 1.0),
         "{run}"
+    );
+}
+
+#[test]
+fn what_is_asked_for_twice_is_measured_once() {
+    let program = Program::new();
+    let tiny = ["--duration", "0.2 s", "--repeat", "1"];
+    let swarm = ["fig7", "--n", "5,5", "--threads", "2,1,2"];
+    let answer = |arguments: &[&str]| answer(&program, &[arguments, &tiny].concat());
+    let threads = |answer: &Value| -> Vec<Value> {
+        let rows = rows(answer).iter();
+        rows.map(|row| row["threads"].clone()).collect()
+    };
+    assert_eq!(threads(&answer(&swarm)), [2, 1]);
+    let field = ["fig6", "--obstacles", "3", "--reach", "in,in"];
+    assert_eq!(rows(&answer(&field)).len(), 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_bench_that_was_interrupted_keeps_what_it_measured_and_goes_on() {
+    let program = Program::new();
+    let tiny = [
+        "bench",
+        "fig7",
+        "--n",
+        "3,4",
+        "--duration",
+        "0.2 s",
+        "--no-limit",
+    ];
+    let call = |more: &[&str]| program.call(&[&tiny, more].concat());
+    let table = || {
+        let text = std::fs::read_to_string(program.path("out/fig7/fig7.csv")).expect("CSV");
+        let lines = text.lines().filter(|line| line.contains(",measured,row,"));
+        // The command that was called last is in all lines.
+        let own = |line: &str| line.split(",simbeeotic bench ").next().map(str::to_owned);
+        lines.filter_map(own).collect::<Vec<_>>()
+    };
+    let unfinished = "out/fig7/fig7.csv.unfinished";
+    // A thousand rounds: nobody waits for their end.
+    let all = [&tiny[..], &["--repeat", "1000"]].concat();
+    let broken = program.interrupted(&all, unfinished, 4);
+    assert_eq!(broken.code, Some(130), "{}", broken.err);
+    assert!(
+        broken
+            .err
+            .contains("; the same command with --resume goes on"),
+        "{}",
+        broken.err
+    );
+    for ending in [".csv", ".parquet", ".svg", "-log.png"] {
+        let file = program.path(&format!("out/fig7/fig7{ending}"));
+        assert!(file.exists(), "{ending}");
+    }
+    let svg = std::fs::read_to_string(program.path("out/fig7/fig7.svg")).expect("SVG");
+    assert!(svg.contains("Broken off before its end"));
+    let before = table();
+    assert!(before.len() >= 3, "{before:?}");
+    assert!(
+        broken
+            .err
+            .contains(&format!("interrupted after {} runs", before.len())),
+        "{}",
+        broken.err
+    );
+
+    // What took its time is not thrown away by a command that forgets it, nor mixed with what is something else.
+    let forgets = call(&["--repeat", "1"]);
+    assert_eq!(forgets.code, Some(2), "{}", forgets.err);
+    assert!(
+        forgets.err.contains("of a bench that is not whole"),
+        "{}",
+        forgets.err
+    );
+    let other = call(&["--no-contacts", "--resume"]);
+    assert_eq!(other.code, Some(2), "{}", other.err);
+    assert!(
+        other.err.contains("--contacts was on, and is off"),
+        "{}",
+        other.err
+    );
+    let without = call(&["--threads", "2", "--resume"]);
+    assert!(
+        without.err.contains("has runs of `1 thread`"),
+        "{}",
+        without.err
+    );
+
+    // With two runs of each row, and one size more.
+    let resumed = call(&["--n", "5", "--repeat", "2", "--resume"]);
+    assert_eq!(resumed.code, Some(0), "{}", resumed.err);
+    let after = table();
+    assert!(before.iter().all(|line| after.contains(line)), "{after:?}");
+    let fresh: Vec<_> = after.iter().filter(|line| !before.contains(line)).collect();
+    let of_five = |line: &&&String| line.contains(",measured,row,5,");
+    assert_eq!(fresh.iter().filter(of_five).count(), 2, "{fresh:?}");
+    assert!(!program.path(unfinished).exists(), "it is whole");
+    let again = call(&["--repeat", "1", "--resume"]);
+    assert_eq!(again.code, Some(0), "{}", again.err);
+    assert!(
+        again.err.contains("there is nothing to go on with"),
+        "{}",
+        again.err
     );
 }

@@ -50,6 +50,29 @@ impl Program {
         )
     }
 
+    /// Starts the program, and sends Ctrl-C when a file has so many lines; no machine is so slow that it does not come
+    /// to that.
+    #[cfg(unix)]
+    pub(crate) fn interrupted(&self, arguments: &[&str], file: &str, lines: usize) -> Call {
+        use std::process::Stdio;
+        use std::time::Duration;
+
+        let mut command = self.command();
+        command.args(arguments).stdout(Stdio::piped());
+        let child = command.stderr(Stdio::piped()).spawn().expect("it starts");
+        for _ in 0..6000 {
+            let text = std::fs::read_to_string(self.path(file)).unwrap_or_default();
+            if text.lines().count() >= lines {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        let id = child.id().to_string();
+        let kill = Command::new("kill").args(["-INT", &id]).status();
+        assert!(kill.expect("kill is there").success());
+        Call::from(child.wait_with_output().expect("it ends"))
+    }
+
     /// Runs a scenario and returns its summary.
     pub(crate) fn summary(&self, arguments: &[&str]) -> serde_json::Value {
         let call = self.call(&[&["run", "--quiet", "--json"], arguments].concat());

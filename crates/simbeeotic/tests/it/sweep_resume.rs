@@ -76,26 +76,7 @@ fn a_recording_of_another_run_under_the_same_number_is_not_taken_for_it() {
 /// come to that.
 #[cfg(unix)]
 fn interrupted(program: &Program, arguments: &[&str], rows: usize) -> Call {
-    use std::process::Stdio;
-    use std::time::Duration;
-
-    let mut command = program.command();
-    command.args(arguments).stdout(Stdio::piped());
-    let child = command.stderr(Stdio::piped()).spawn().expect("it starts");
-    let unfinished = program.path("bees-runs.csv.unfinished");
-    for _ in 0..6000 {
-        let text = std::fs::read_to_string(&unfinished).unwrap_or_default();
-        if text.lines().count() > rows {
-            break;
-        }
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let id = child.id().to_string();
-    let kill = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
-    assert!(kill.expect("kill is there").success());
-    Call::from(child.wait_with_output().expect("it ends"))
+    program.interrupted(arguments, "bees-runs.csv.unfinished", rows + 1)
 }
 
 /// Two runs of each seed end at once, the other two take for ever.

@@ -7,9 +7,13 @@
 use super::arguments::Clock;
 use super::measure::Stopwatch;
 use super::workload::Cost;
-use super::{Failure, process, say};
+use super::{Failure, paper, process, say};
+use crate::program::run::at_interrupt;
 use serde::{Deserialize, Serialize};
-use std::process::{Command, Stdio};
+use std::io::Read;
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// One run that can be asked for: a size, on one of an experiment's curves.
@@ -29,12 +33,21 @@ pub(super) struct Run {
     /// How long it took with all that comes before and after, such as making the world; wall time, s.
     #[serde(default)]
     pub(super) whole_s: f64,
+    /// How many threads wanted a processor in the minute before it, in the mean.
+    #[serde(default)]
+    pub(super) load: Option<f64>,
 }
 
 impl Run {
-    /// Time by this clock over virtual time: at most 1 in real time.
+    /// What 100 virtual seconds take by this clock, over 100 s: at most 1 in real time.
     pub(super) fn ratio(&self, clock: Clock) -> f64 {
-        clock.of(&self.cost) / self.cost.virtual_s
+        clock.stretched(&self.cost) / paper::DURATION_S
+    }
+
+    /// One that was kept as JSON.
+    pub(super) fn again(mut self) -> Self {
+        self.cost.packets = self.packets;
+        self
     }
 
     /// One that took so long, for tests.
@@ -45,6 +58,7 @@ impl Run {
             cost,
             memory_bytes: Some(2048.0),
             whole_s: 0.0,
+            load: None,
         }
     }
 }
@@ -95,39 +109,113 @@ pub(super) fn tell(
         cost,
         memory_bytes: memory.map(|(after, before)| after - before),
         whole_s: 0.0,
+        load: None,
     };
     say(serde_json::to_string(&run).map_err(Failure::run)?)
 }
 
-/// In the calling process: has a run made, which ends when it has taken so much wall time, s.
-pub(super) fn run(case: Case, wall_s: Option<f64>) -> Result<Run, Failure> {
-    let failed = |what: String| Failure::run(format!("cannot run one size by itself: {what}"));
-    let program = std::env::current_exe().map_err(|e| failed(e.to_string()))?;
-    let Case { line, size } = case;
-    let order = match wall_s {
-        None => format!("{line}:{size}"),
-        Some(wall_s) => format!("{line}:{size}:{wall_s}"),
-    };
-    let begun = Stopwatch::start();
-    let output = Command::new(program)
-        .args(std::env::args_os().skip(1))
-        .args(["--alone", &order])
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|e| failed(e.to_string()))?;
-    if !output.status.success() {
-        let words = String::from_utf8_lossy(&output.stderr);
-        let words = words.trim().trim_start_matches("error: ");
-        return Err(match (words, output.status.code()) {
-            ("", _) => failed(output.status.to_string()),
-            (words, Some(2)) => Failure::input(words),
-            (words, _) => Failure::run(words),
+/// In the calling process: has runs made, one after the other, until the user interrupts.
+pub(super) struct Runner {
+    /// The process that makes a run now.
+    child: Arc<Mutex<Option<Child>>>,
+    interrupted: Arc<AtomicBool>,
+}
+
+impl Runner {
+    /// From now on the first Ctrl-C or SIGTERM ends the run that is being made, and there are no others.
+    pub(super) fn start() -> Self {
+        let child: Arc<Mutex<Option<Child>>> = Arc::default();
+        let going = Arc::clone(&child);
+        let interrupted = at_interrupt(move || {
+            if let Some(child) = lock(&going).as_mut() {
+                // One that is at its end already is not there to be killed.
+                let _ = child.kill();
+            }
         });
+        Self { child, interrupted }
     }
-    let mut run: Run = serde_json::from_slice(&output.stdout).map_err(|e| failed(e.to_string()))?;
-    run.cost.packets = run.packets;
-    run.whole_s = begun.elapsed_s();
-    Ok(run)
+
+    /// Has a run made, which ends when it has taken so much wall time, s.
+    ///
+    /// # Errors
+    /// The run failed, in its words; the user interrupted.
+    pub(super) fn run(&self, case: Case, wall_s: Option<f64>) -> Result<Run, Failure> {
+        let is_over = || self.interrupted.load(Ordering::Relaxed);
+        let run = match is_over() {
+            true => Err(Failure::interrupted()),
+            false => self.call(case, wall_s),
+        };
+        // From a terminal the called process has been interrupted, too.
+        run.map_err(|failure| match is_over() {
+            true => Failure::interrupted(),
+            false => failure,
+        })
+    }
+
+    fn call(&self, case: Case, wall_s: Option<f64>) -> Result<Run, Failure> {
+        let failed = |what: String| Failure::run(format!("cannot run one size by itself: {what}"));
+        let program = std::env::current_exe().map_err(|e| failed(e.to_string()))?;
+        let Case { line, size } = case;
+        let order = match wall_s {
+            None => format!("{line}:{size}"),
+            Some(wall_s) => format!("{line}:{size}:{wall_s}"),
+        };
+        let load = process::load();
+        let begun = Stopwatch::start();
+        let mut child = Command::new(program)
+            .args(std::env::args_os().skip(1))
+            .args(["--alone", &order])
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|e| failed(e.to_string()))?;
+        let (out, err) = (child.stdout.take(), child.stderr.take());
+        *lock(&self.child) = Some(child);
+        if self.interrupted.load(Ordering::Relaxed)
+            && let Some(child) = lock(&self.child).as_mut()
+        {
+            let _ = child.kill();
+        }
+        let words = std::thread::spawn(move || all_of(err));
+        let told = all_of(out);
+        let words = words.join().unwrap_or_default();
+        // Its words have ended, so it has ended, too, or does so now.
+        let ended = lock(&self.child)
+            .take()
+            .map(|mut child| child.wait())
+            .ok_or_else(|| failed("it is gone".to_owned()))?
+            .map_err(|e| failed(e.to_string()))?;
+        if !ended.success() {
+            let words = String::from_utf8_lossy(&words);
+            let words = words.trim().trim_start_matches("error: ");
+            return Err(match (words, ended.code()) {
+                ("", _) => failed(ended.to_string()),
+                (words, Some(2)) => Failure::input(words),
+                (words, Some(_)) => Failure::run(words),
+                (words, None) => failed(format!("{ended}: {words}")),
+            });
+        }
+        let mut run: Run = serde_json::from_slice(&told).map_err(|e| failed(e.to_string()))?;
+        run.cost.packets = run.packets;
+        run.whole_s = begun.elapsed_s();
+        run.load = load;
+        Ok(run)
+    }
+}
+
+/// A lock that one who panicked held is as good as any: what is behind it is whole.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// All that comes, until it ends or cannot be read.
+fn all_of(pipe: Option<impl Read>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    if let Some(mut pipe) = pipe {
+        let _ = pipe.read_to_end(&mut bytes);
+    }
+    bytes
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What the experiments can be asked.
 
 use super::super::{Failure, arguments, input};
-use super::workload::Cost;
+use super::workload::{self, Cost};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -20,6 +20,19 @@ impl Clock {
         match self {
             Self::Wall => cost.wall_s,
             Self::Processor => cost.busiest_thread_s.unwrap_or(cost.wall_s),
+        }
+    }
+
+    /// What 100 virtual seconds take by this clock, s: the start of the run once, and the rest as often as it fits.
+    pub(super) fn stretched(self, cost: &Cost) -> f64 {
+        workload::stretched(self.start_of(cost), self.of(cost), cost.virtual_s)
+    }
+
+    /// What the start of a run took by this clock, s.
+    pub(super) fn start_of(self, cost: &Cost) -> f64 {
+        match (self, cost.busiest_thread_s) {
+            (Self::Processor, Some(_)) => cost.start_busiest_s.unwrap_or(0.0),
+            _ => cost.start_s,
         }
     }
 
@@ -56,13 +69,20 @@ pub(super) struct Common {
     #[arg(long)]
     pub(super) no_limit: bool,
     /// Wall time after which no further round is begun, and the search of the limit ends [default: 45 s;
-    /// with --full 30 min]
+    /// with --full 15 min]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     within: Option<String>,
     /// Folder for the table (CSV and Parquet) and the plot (SVG and PNG) [default: out/ and the figure's
     /// name]
     #[arg(long, short, value_name = "FOLDER")]
     pub(super) output: Option<PathBuf>,
+    /// Go on with a bench that was broken off: what it measured is beside the table, and not run again. The
+    /// program, the machine and what is run must be the same
+    #[arg(long, conflicts_with_all = ["restart", "no_files"])]
+    pub(super) resume: bool,
+    /// Measure all of it, although there is a bench that was broken off
+    #[arg(long)]
+    pub(super) restart: bool,
     /// Write no files
     #[arg(long, conflicts_with = "output")]
     pub(super) no_files: bool,
@@ -81,9 +101,15 @@ impl Common {
         input::time("--duration", text).map(|time| time.secs())
     }
 
+    /// Where the files of a figure go.
+    pub(super) fn folder(&self, figure: &str) -> PathBuf {
+        let chosen = self.output.clone();
+        chosen.unwrap_or_else(|| PathBuf::from("out").join(figure))
+    }
+
     /// Wall time for repeats and the limit, s.
     pub(super) fn within_s(&self) -> Result<f64, Failure> {
-        let or = if self.full { "30 min" } else { "45 s" };
+        let or = if self.full { "15 min" } else { "45 s" };
         let text = self.within.as_deref().unwrap_or(or);
         input::time("--within", text).map(|time| time.secs())
     }
@@ -115,7 +141,7 @@ pub(super) struct Swarms {
         value_parser = arguments::threads,
         allow_negative_numbers = true
     )]
-    pub(super) threads: Vec<usize>,
+    threads: Vec<usize>,
     /// Start: paper (random in a 20 m cube) or density (as much room for each bee in any swarm: 8 cubic
     /// metres in figure 7, 100 square metres of a plane in figure 8)
     #[arg(long, default_value = "paper", value_parser = ["paper", "density"])]
@@ -125,10 +151,31 @@ pub(super) struct Swarms {
 }
 
 impl Swarms {
+    /// The numbers of threads asked for, each once.
+    pub(super) fn threads(&self) -> Vec<usize> {
+        once(&self.threads)
+    }
+
+    /// Whether the sizes are the experiment's own.
+    pub(super) fn is_ladder(&self) -> bool {
+        self.n.is_empty()
+    }
+
     /// The sizes asked for, or else these: from small to large, each once.
     pub(super) fn sizes(&self, quick: &[u32], full: &[u32]) -> Vec<u32> {
         sizes(&self.n, self.common.full, quick, full)
     }
+}
+
+/// What was asked for, in its order, each once.
+pub(super) fn once<T: PartialEq + Clone>(asked: &[T]) -> Vec<T> {
+    let mut each: Vec<T> = Vec::new();
+    for value in asked {
+        if !each.contains(value) {
+            each.push(value.clone());
+        }
+    }
+    each
 }
 
 /// The numbers asked for, or else those of the quick or the full experiment: from small to large, each
@@ -160,6 +207,23 @@ mod tests {
             (Clock::Processor.of(&run), Clock::Wall.of(&run)),
             (3.0, 4.0)
         );
+    }
+
+    #[test]
+    fn by_each_clock_the_start_is_its_own() {
+        let mut run = cost(4.0, "a");
+        run.start_s = 2.0;
+        assert_eq!(Clock::Wall.stretched(&run), 22.0);
+        assert_eq!(Clock::Processor.stretched(&run), 22.0);
+        run.busiest_thread_s = Some(3.0);
+        run.start_busiest_s = Some(1.0);
+        assert_eq!(Clock::Processor.stretched(&run), 21.0);
+        assert_eq!(Clock::Wall.stretched(&run), 22.0);
+    }
+
+    #[test]
+    fn what_is_asked_for_twice_is_done_once_and_in_its_place() {
+        assert_eq!(once(&[2, 1, 2, 1]), [2, 1]);
     }
 
     #[test]

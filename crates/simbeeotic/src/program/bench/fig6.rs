@@ -12,7 +12,7 @@ use super::arguments::{self, Common};
 use super::files::Facts;
 use super::measure::{self, Experiment, Row as Measurement};
 use super::report::Report;
-use super::workload::{self, Cost, MAX_SPEED_M_S, PAPER_EDGE_M, SEED, Workload};
+use super::workload::{self, Cost, MAX_SPEED_M_S, Most, PAPER_EDGE_M, SEED, Workload};
 use super::{Failure, input, paper, remark, table};
 use clap::Args;
 use serde::Serialize;
@@ -23,7 +23,6 @@ use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::{Angle, Length, Position};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// Bees of the experiment, as in the paper.
 pub(super) const BEES: u32 = 32;
@@ -99,7 +98,7 @@ struct Row {
     threads: usize,
     #[serde(flatten)]
     cost: Cost,
-    /// Physics' time over that without obstacles.
+    /// Physics' time over that without obstacles, the start apart.
     physics_ratio: f64,
 }
 
@@ -109,6 +108,7 @@ struct Fig6<'a> {
     duration_s: f64,
     spacing_m: f64,
     numbers: Vec<u32>,
+    reach: Vec<String>,
 }
 
 impl Fig6<'_> {
@@ -140,7 +140,7 @@ impl Fig6<'_> {
     }
 
     fn out(&self, line: usize) -> bool {
-        self.options.reach[line] == "out"
+        self.reach[line] == "out"
     }
 
     fn facts(&self, case: Case) -> Facts {
@@ -151,15 +151,29 @@ impl Fig6<'_> {
             start: "paper".to_owned(),
             phase: self.options.common.phase.clone(),
             contacts: "on".to_owned(),
-            medium: String::new(),
-            reach: self.options.reach[case.line].clone(),
+            reach: self.reach[case.line].clone(),
+            spacing_m: Some(self.spacing_m),
+            ..Facts::default()
         }
     }
 }
 
 impl Experiment for Fig6<'_> {
+    fn name(&self) -> &'static str {
+        "fig6"
+    }
+
     fn common(&self) -> &Common {
         &self.options.common
+    }
+
+    fn setup(&self) -> Vec<(&'static str, String)> {
+        vec![
+            ("duration", format!("{} s", self.duration_s)),
+            ("spacing", format!("{} m", self.spacing_m)),
+            ("phase", self.options.common.phase.clone()),
+            ("threads", self.options.threads.to_string()),
+        ]
     }
 
     fn duration_s(&self) -> f64 {
@@ -170,6 +184,10 @@ impl Experiment for Fig6<'_> {
         &self.numbers
     }
 
+    fn is_ladder(&self) -> bool {
+        self.options.obstacles.is_empty()
+    }
+
     fn lines(&self) -> Vec<String> {
         let name = |line| {
             if self.out(line) {
@@ -178,7 +196,7 @@ impl Experiment for Fig6<'_> {
                 "in the way"
             }
         };
-        (0..self.options.reach.len())
+        (0..self.reach.len())
             .map(|line| name(line).to_owned())
             .collect()
     }
@@ -193,13 +211,13 @@ impl Experiment for Fig6<'_> {
     }
 
     fn warm_up(&self) -> Result<(), Failure> {
-        workload::run(&self.load()?, self.options.threads, None, None).map(drop)
+        workload::run(&self.load()?, self.options.threads, None, Most::default()).map(drop)
     }
 
-    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+    fn run(&self, case: Case, most: Most) -> Result<Cost, Failure> {
         let loaded = self.load()?;
         let world = self.world(&loaded, case)?;
-        workload::run(&loaded, self.options.threads, Some(&world), wall)
+        workload::run(&loaded, self.options.threads, Some(&world), most)
     }
 }
 
@@ -214,6 +232,7 @@ pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
         duration_s: common.duration_s("100 s")?,
         spacing_m: spacing_m(&options.spacing)?,
         numbers,
+        reach: arguments::once(&options.reach),
     };
     let setup = format!(
         "{BEES} bees, {} s virtual, boxes {} m apart {}, {} timers",
@@ -225,7 +244,20 @@ pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
     if !common.json && common.alone.is_none() {
         remark(format!("figure 6: {setup}"));
     }
-    let Some(measured) = measure::measure(&experiment)? else {
+    let report = Report {
+        name: "fig6",
+        title: "Figure 6: 32 bees, and ever more obstacles",
+        setup,
+        x: "obstacles",
+        all_shares: true,
+        paper: paper::FIG6,
+        facts: &|case| experiment.facts(case),
+        searched: |facts, obstacles| facts.obstacles = obstacles,
+    };
+    let so_far = |rows: &[Measurement], probes: &[Measurement]| {
+        report.so_far(&experiment, rows, probes);
+    };
+    let Some(measured) = measure::measure(&experiment, &so_far)? else {
         return Ok(());
     };
     let rows = rows(&experiment, &measured.rows);
@@ -239,27 +271,18 @@ pub(super) fn fig6(options: &Options) -> Result<(), Failure> {
             );
         }
     }
-    let report = Report {
-        name: "fig6",
-        title: "Figure 6: 32 bees, and ever more obstacles",
-        setup,
-        x: "obstacles",
-        all_shares: true,
-        paper: paper::FIG6,
-        facts: &|case| experiment.facts(case),
-        searched: |facts, obstacles| facts.obstacles = obstacles,
-    };
-    report.finish(&experiment, &measured, &rows)
+    report.finish(&experiment, measured, &rows)
 }
 
 fn rows(experiment: &Fig6<'_>, measured: &[Measurement]) -> Vec<Row> {
-    let options = experiment.options;
     // The first row of each line is without obstacles.
+    let first = |line: usize| measured.iter().find(|row| row.case.line == line);
     let row = |row: &Measurement| Row {
         obstacles: row.case.size,
-        reach: options.reach[row.case.line].clone(),
-        threads: options.threads,
-        physics_ratio: row.least.physics_s / measured[row.case.line].least.physics_s,
+        reach: experiment.reach[row.case.line].clone(),
+        threads: experiment.options.threads,
+        physics_ratio: first(row.case.line)
+            .map_or(1.0, |first| row.least.physics_s / first.least.physics_s),
         cost: row.least.clone(),
     };
     measured.iter().map(row).collect()

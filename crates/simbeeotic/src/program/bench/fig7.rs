@@ -5,13 +5,12 @@ use super::arguments::{Common, Swarms};
 use super::files::Facts;
 use super::measure::{self, Experiment, Row as Measurement};
 use super::report::Report;
-use super::workload::{self, Cost, PAPER_EDGE_M, Workload};
+use super::workload::{self, Cost, Most, PAPER_EDGE_M, Workload};
 use super::{Failure, paper, remark, show, table};
 use clap::Args;
 use serde::Serialize;
 use simbeeotic_scenario::Loaded;
 use simbeeotic_units::math;
-use std::time::Duration;
 
 /// Arguments of `bench fig7`.
 #[derive(Args)]
@@ -26,7 +25,8 @@ pub(in crate::program) struct Options {
 /// What is below the options in the help.
 pub(super) const HELP: &str = "\
 Sizes: 1000,3000,10000,30000, each for 5 s; with --full 1000,2000,3074,5000,10000,20000,50000,100000, each
-for 100 s.
+for 100 s, as far as they keep real time; the search of the limit goes on from there. About a minute; with
+--full 15.
 
 Examples:
   simbeeotic bench fig7
@@ -44,6 +44,7 @@ struct Fig7<'a> {
     options: &'a Options,
     duration_s: f64,
     sizes: Vec<u32>,
+    threads: Vec<usize>,
 }
 
 impl Fig7<'_> {
@@ -64,7 +65,7 @@ impl Fig7<'_> {
         let swarms = &self.options.swarms;
         Facts {
             n: Some(case.size),
-            threads: Some(swarms.threads[case.line]),
+            threads: Some(self.threads[case.line]),
             start: swarms.start.clone(),
             phase: swarms.common.phase.clone(),
             contacts: contacts(self.options).to_owned(),
@@ -74,8 +75,22 @@ impl Fig7<'_> {
 }
 
 impl Experiment for Fig7<'_> {
+    fn name(&self) -> &'static str {
+        "fig7"
+    }
+
     fn common(&self) -> &Common {
         &self.options.swarms.common
+    }
+
+    fn setup(&self) -> Vec<(&'static str, String)> {
+        let swarms = &self.options.swarms;
+        vec![
+            ("duration", format!("{} s", self.duration_s)),
+            ("start", swarms.start.clone()),
+            ("phase", swarms.common.phase.clone()),
+            ("contacts", contacts(self.options).to_owned()),
+        ]
     }
 
     fn duration_s(&self) -> f64 {
@@ -86,8 +101,12 @@ impl Experiment for Fig7<'_> {
         &self.sizes
     }
 
+    fn is_ladder(&self) -> bool {
+        self.options.swarms.is_ladder()
+    }
+
     fn lines(&self) -> Vec<String> {
-        let threads = self.options.swarms.threads.iter();
+        let threads = self.threads.iter();
         threads.map(|threads| show::threads(*threads)).collect()
     }
 
@@ -100,13 +119,12 @@ impl Experiment for Fig7<'_> {
     }
 
     fn warm_up(&self) -> Result<(), Failure> {
-        workload::run(&self.load(100, 1.0)?, 1, None, None).map(drop)
+        workload::run(&self.load(100, 1.0)?, 1, None, Most::default()).map(drop)
     }
 
-    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+    fn run(&self, case: Case, most: Most) -> Result<Cost, Failure> {
         let loaded = self.load(case.size, self.duration_s)?;
-        let threads = self.options.swarms.threads[case.line];
-        workload::run(&loaded, threads, None, wall)
+        workload::run(&loaded, self.threads[case.line], None, most)
     }
 }
 
@@ -137,6 +155,7 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
         options,
         duration_s: common.duration_s(if common.full { "100 s" } else { "5 s" })?,
         sizes: swarms.sizes(SIZES[0], SIZES[1]),
+        threads: swarms.threads(),
     };
     let setup = format!(
         "{} s virtual, {} start, {} timers, contacts {}",
@@ -148,23 +167,6 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
     if !common.json && common.alone.is_none() {
         remark(format!("figure 7: {setup}"));
     }
-    let Some(measured) = measure::measure(&experiment)? else {
-        return Ok(());
-    };
-    let rows = rows(&experiment, &measured.rows);
-    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
-    if !common.json {
-        print(&rows)?;
-        table::method(&measured.rows);
-        if swarms.threads.len() > 1 {
-            remark(
-                "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
-                 number of free processors can make it",
-            );
-            table::same_for(&swarms.threads);
-        }
-        peers(&rows);
-    }
     let report = Report {
         name: "fig7",
         title: "Figure 7: ever more bees on a random walk",
@@ -175,29 +177,47 @@ pub(super) fn fig7(options: &Options) -> Result<(), Failure> {
         facts: &|case| experiment.facts(case),
         searched: |facts, n| facts.n = n,
     };
-    report.finish(&experiment, &measured, &rows)
+    let so_far = |rows: &[Measurement], probes: &[Measurement]| {
+        report.so_far(&experiment, rows, probes);
+    };
+    let Some(measured) = measure::measure(&experiment, &so_far)? else {
+        return Ok(());
+    };
+    let rows = rows(&experiment, &measured.rows);
+    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
+    if !common.json {
+        print(&rows)?;
+        table::method(&measured.rows);
+        if experiment.threads.len() > 1 {
+            remark(
+                "gain: of wall time; busiest: processor seconds of the busiest thread, less than which no \
+                 number of free processors can make it",
+            );
+            table::same_for(&experiment.threads);
+        }
+        peers(&rows);
+    }
+    report.finish(&experiment, measured, &rows)
 }
 
 fn rows(experiment: &Fig7<'_>, measured: &[Measurement]) -> Vec<Row> {
-    let threads = &experiment.options.swarms.threads;
-    let row = |at: usize| {
-        let (row, first) = (&measured[at], &measured[at - at % threads.len()]);
+    let row = |row: &Measurement| {
         let (n, cost) = (row.case.size, &row.least);
         let memory = row.runs.iter().filter_map(|run| run.memory_bytes);
         Row {
             n,
-            threads: threads[row.case.line],
+            threads: experiment.threads[row.case.line],
             cpu_us_per_bee_s: cost
                 .cpu_s
                 .map(|cpu_s| cpu_s * 1e6 / cost.virtual_s / f64::from(n)),
             memory_kib_per_bee: memory
                 .max_by(f64::total_cmp)
                 .map(|bytes| bytes / 1024.0 / f64::from(n)),
-            gain: first.least.wall_s / cost.wall_s,
+            gain: measure::gain(measured, row),
             cost: cost.clone(),
         }
     };
-    (0..measured.len()).map(row).collect()
+    measured.iter().map(row).collect()
 }
 
 /// Edge of the cube that they start in, m.

@@ -6,12 +6,11 @@ use super::arguments::{Common, Swarms};
 use super::files::Facts;
 use super::measure::{self, Experiment, Row as Measurement};
 use super::report::Report;
-use super::workload::{self, Cost, PAPER_EDGE_M, Workload};
+use super::workload::{self, Cost, Most, PAPER_EDGE_M, Workload};
 use super::{Failure, paper, remark, show, table};
 use clap::Args;
 use serde::Serialize;
 use simbeeotic_scenario::Loaded;
-use std::time::Duration;
 
 /// Arguments of `bench fig8`.
 #[derive(Args)]
@@ -28,7 +27,8 @@ pub(in crate::program) struct Options {
 
 /// What is below the options in the help.
 pub(super) const HELP: &str = "\
-Sizes: 550,1000,3000,8192, each for 5 s; with --full 100,200,550,1000,2000,4000,8192,16384, each for 100 s.
+Sizes: 550,1000,3000,8192, each for 5 s; with --full 100,200,550,1000,2000,4000,8192,16384, each for 100 s, as
+far as they keep real time; the search of the limit goes on from there. About a minute; with --full 15.
 
 Examples:
   simbeeotic bench fig8
@@ -46,18 +46,20 @@ struct Fig8<'a> {
     options: &'a Options,
     duration_s: f64,
     sizes: Vec<u32>,
+    threads: Vec<usize>,
 }
 
 impl Fig8<'_> {
     fn load(&self, n: u32, duration_s: f64) -> Result<Loaded, Failure> {
         let swarms = &self.options.swarms;
+        let channel = channel(&self.options.medium);
         let workload = Workload {
             bees: n,
             duration_s,
             edges_m: edges_m(n, &swarms.start),
             phase: &swarms.common.phase,
             contacts: self.options.contacts,
-            channel: Some(channel(&self.options.medium)),
+            channel: Some(&channel),
         };
         workload.load()
     }
@@ -66,19 +68,35 @@ impl Fig8<'_> {
         let swarms = &self.options.swarms;
         Facts {
             n: Some(case.size),
-            threads: Some(swarms.threads[case.line]),
+            threads: Some(self.threads[case.line]),
             start: swarms.start.clone(),
             phase: swarms.common.phase.clone(),
             contacts: contacts(self.options).to_owned(),
             medium: self.options.medium.clone(),
+            range_m: (self.options.medium == "simple").then_some(RANGE_M),
             ..Facts::default()
         }
     }
 }
 
 impl Experiment for Fig8<'_> {
+    fn name(&self) -> &'static str {
+        "fig8"
+    }
+
     fn common(&self) -> &Common {
         &self.options.swarms.common
+    }
+
+    fn setup(&self) -> Vec<(&'static str, String)> {
+        let swarms = &self.options.swarms;
+        vec![
+            ("duration", format!("{} s", self.duration_s)),
+            ("start", swarms.start.clone()),
+            ("phase", swarms.common.phase.clone()),
+            ("medium", self.options.medium.clone()),
+            ("contacts", contacts(self.options).to_owned()),
+        ]
     }
 
     fn duration_s(&self) -> f64 {
@@ -89,8 +107,12 @@ impl Experiment for Fig8<'_> {
         &self.sizes
     }
 
+    fn is_ladder(&self) -> bool {
+        self.options.swarms.is_ladder()
+    }
+
     fn lines(&self) -> Vec<String> {
-        let threads = self.options.swarms.threads.iter();
+        let threads = self.threads.iter();
         threads.map(|threads| show::threads(*threads)).collect()
     }
 
@@ -103,13 +125,12 @@ impl Experiment for Fig8<'_> {
     }
 
     fn warm_up(&self) -> Result<(), Failure> {
-        workload::run(&self.load(50, 1.0)?, 1, None, None).map(drop)
+        workload::run(&self.load(50, 1.0)?, 1, None, Most::default()).map(drop)
     }
 
-    fn run(&self, case: Case, wall: Option<Duration>) -> Result<Cost, Failure> {
+    fn run(&self, case: Case, most: Most) -> Result<Cost, Failure> {
         let loaded = self.load(case.size, self.duration_s)?;
-        let threads = self.options.swarms.threads[case.line];
-        workload::run(&loaded, threads, None, wall)
+        workload::run(&loaded, self.threads[case.line], None, most)
     }
 }
 
@@ -152,6 +173,7 @@ pub(super) fn fig8(options: &Options) -> Result<(), Failure> {
         options,
         duration_s: common.duration_s(if common.full { "100 s" } else { "5 s" })?,
         sizes: swarms.sizes(SIZES[0], SIZES[1]),
+        threads: swarms.threads(),
     };
     let setup = format!(
         "{} s virtual, {} start, {} timers, medium {}, contacts {}",
@@ -164,23 +186,6 @@ pub(super) fn fig8(options: &Options) -> Result<(), Failure> {
     if !common.json && common.alone.is_none() {
         remark(format!("figure 8: {setup}"));
     }
-    let Some(measured) = measure::measure(&experiment)? else {
-        return Ok(());
-    };
-    let rows = rows(options, &measured.rows);
-    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
-    if !common.json {
-        print(&rows)?;
-        table::method(&measured.rows);
-        remark(
-            "cpu/s: processor seconds for each virtual second; ns/rx: of them for each packet received; \
-             ns/pair: of the radio's wall time, for each packet sent and each of the others",
-        );
-        if swarms.threads.len() > 1 {
-            table::same_for(&swarms.threads);
-        }
-        peers(options, &rows);
-    }
     let report = Report {
         name: "fig8",
         title: "Figure 8: ever more bees that all talk and listen",
@@ -191,40 +196,55 @@ pub(super) fn fig8(options: &Options) -> Result<(), Failure> {
         facts: &|case| experiment.facts(case),
         searched: |facts, n| facts.n = n,
     };
-    report.finish(&experiment, &measured, &rows)
-}
-
-fn rows(options: &Options, measured: &[Measurement]) -> Vec<Row> {
-    let threads = &options.swarms.threads;
-    let row = |at: usize| {
-        let (of, first) = (&measured[at], &measured[at - at % threads.len()]);
-        let threads = threads[of.case.line];
-        row(of.case.size, threads, options, &of.least, &first.least)
+    let so_far = |rows: &[Measurement], probes: &[Measurement]| {
+        report.so_far(&experiment, rows, probes);
     };
-    (0..measured.len()).map(row).collect()
+    let Some(measured) = measure::measure(&experiment, &so_far)? else {
+        return Ok(());
+    };
+    let rows = rows(&experiment, &measured.rows);
+    table::agree(rows.iter().map(|row| (row.n, row.threads, &row.cost)))?;
+    if !common.json {
+        print(&rows)?;
+        table::method(&measured.rows);
+        remark(
+            "cpu/s: processor seconds for each virtual second; ns/rx: of them for each packet received; \
+             ns/pair: of the radio's wall time, for each packet sent and each of the others",
+        );
+        if experiment.threads.len() > 1 {
+            table::same_for(&experiment.threads);
+        }
+        peers(options, &rows);
+    }
+    report.finish(&experiment, measured, &rows)
 }
 
-fn row(n: u32, threads: usize, options: &Options, cost: &Cost, first: &Cost) -> Row {
-    let [sent, received] = cost.packets;
-    let pairs = sent as f64 * (f64::from(n) - 1.0);
-    let each = |x: f64, of: f64| (of > 0.0).then(|| x / of);
-    Row {
-        n,
-        threads,
-        medium: options.medium.clone(),
-        cpu_s_per_s: cost.cpu_s.map(|cpu_s| cpu_s / cost.virtual_s),
-        radio_s_per_s: cost.radio_s / cost.virtual_s,
-        sent,
-        received,
-        received_per_s: received as f64 / cost.virtual_s,
-        cpu_ns_per_reception: cost
-            .cpu_s
-            .and_then(|cpu_s| each(cpu_s * 1e9, received as f64)),
-        radio_ns_per_pair: each(cost.radio_s * 1e9, pairs),
-        delivered: each(received as f64, pairs),
-        gain: first.wall_s / cost.wall_s,
-        cost: cost.clone(),
-    }
+fn rows(experiment: &Fig8<'_>, measured: &[Measurement]) -> Vec<Row> {
+    let row = |row: &Measurement| {
+        let cost = &row.least;
+        let n = row.case.size;
+        let [sent, received] = cost.packets;
+        let pairs = sent as f64 * (f64::from(n) - 1.0);
+        let each = |x: f64, of: f64| (of > 0.0).then(|| x / of);
+        Row {
+            n,
+            threads: experiment.threads[row.case.line],
+            medium: experiment.options.medium.clone(),
+            cpu_s_per_s: cost.cpu_s.map(|cpu_s| cpu_s / cost.virtual_s),
+            radio_s_per_s: cost.radio_s / cost.virtual_s,
+            sent,
+            received,
+            received_per_s: received as f64 / cost.virtual_s,
+            cpu_ns_per_reception: cost
+                .cpu_s
+                .and_then(|cpu_s| each(cpu_s * 1e9, received as f64)),
+            radio_ns_per_pair: each(cost.radio_s * 1e9, pairs),
+            delivered: each(received as f64, pairs),
+            gain: measure::gain(measured, row),
+            cost: cost.clone(),
+        }
+    };
+    measured.iter().map(row).collect()
 }
 
 /// Edges of the box that they start in, m.
@@ -237,11 +257,14 @@ fn edges_m(n: u32, start: &str) -> [f64; 3] {
     }
 }
 
+/// As far as the simple medium reaches, m.
+const RANGE_M: f64 = 30.0;
+
 /// The section `[channel]`.
-fn channel(medium: &str) -> &'static str {
+fn channel(medium: &str) -> String {
     match medium {
-        "ieee802154" => r#"medium = "ieee802154""#,
-        _ => "medium = \"simple\"\nrange_limit = \"30 m\"",
+        "ieee802154" => r#"medium = "ieee802154""#.to_owned(),
+        _ => format!("medium = \"simple\"\nrange_limit = \"{RANGE_M} m\""),
     }
 }
 

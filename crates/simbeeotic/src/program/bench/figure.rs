@@ -2,6 +2,7 @@
 //! figures; the soft real-time limits as dashed lines, here and there. Once with the paper's axes, which begin at
 //! zero and are even; once with logarithmic ones, where the small sizes, and the paper's, have as much room as ours.
 
+use super::alone::Run;
 use super::arguments::Clock;
 use super::limit::{Limit, count};
 use super::machine::Machine;
@@ -11,7 +12,8 @@ use super::workload::Cost;
 use crate::program::plot::axes::Axis;
 use crate::program::plot::chart::{Across, Chart, Curve, Marker, Rule};
 use crate::program::plot::palette::series;
-use crate::program::plot::sheet::{FAINT, Ink, Sheet};
+use crate::program::plot::sheet::{FAINT, Ink, SMALL, Sheet, TEXT};
+use simbeeotic_view::render::words;
 
 /// What the plot of an experiment is made from.
 pub(super) struct Figure<'a> {
@@ -44,46 +46,40 @@ pub(super) enum Axes {
 /// curves would lie on the ground.
 const LEVEL_SHARE: f64 = 0.2;
 
+/// A run that took no more wall time than so many times its processor time was hardly disturbed.
+const UNDISTURBED: f64 = 1.25;
+/// One that took so much processor time has been disturbed in all of its parts alike, s.
+const LONG_S: f64 = 2.0;
+
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [1100, 740];
 
-/// A part of the time.
-struct Share {
-    name: &'static str,
-    /// Of the wall time, s.
-    of: fn(&Cost) -> f64,
-    /// Its place in the palette.
-    colour: usize,
-}
-
-/// The parts, in the order of the key.
-const SHARES: [Share; 5] = [
-    Share {
-        name: "all",
-        of: |cost| cost.wall_s,
-        colour: 0,
-    },
-    Share {
-        name: "events",
-        of: |cost| cost.events_s,
-        colour: 1,
-    },
-    Share {
-        name: "physics",
-        of: |cost| cost.physics_s,
-        colour: 2,
-    },
-    Share {
-        name: "radio",
-        of: |cost| cost.radio_s,
-        colour: 5,
-    },
-    Share {
-        name: "other",
-        of: |cost| cost.other_s,
-        colour: 4,
-    },
+/// The parts of the time, in the order of the key, and their places in the palette.
+const SHARES: [(&str, usize); 6] = [
+    ("all", 0),
+    ("events", 1),
+    ("physics", 2),
+    ("radio", 5),
+    ("other", 4),
+    ("start, once", 6),
 ];
+
+/// What 100 virtual seconds take by a clock, s: the [`SHARES`].
+fn shares(clock: Clock, cost: &Cost) -> [f64; SHARES.len()] {
+    let (start, whole) = (clock.start_of(cost), clock.of(cost));
+    // The parts are of wall time: by another clock, each has its share.
+    let rest = (whole - start).max(0.0) / (cost.wall_s - cost.start_s).max(1e-9);
+    let often = paper::DURATION_S / cost.virtual_s;
+    let part = |part_s: f64| part_s * rest * often;
+    [
+        clock.stretched(cost),
+        part(cost.events_s),
+        part(cost.physics_s),
+        part(cost.radio_s),
+        part(cost.other_s),
+        start,
+    ]
+}
 
 /// The colour of what the paper says.
 fn paper_ink() -> Ink {
@@ -166,21 +162,32 @@ impl Figure<'_> {
                 .filter(|row| self.beyond(row)),
         );
         rows.sort_by_key(|row| row.case.size);
-        let shares = if line == 0 || self.all_shares {
+        let shares_drawn = if line == 0 || self.all_shares {
             SHARES.len()
         } else {
             1
         };
         let mut curves = Vec::new();
-        for Share { name, of, colour } in SHARES.iter().take(shares) {
-            // By another clock, each part has its share.
-            let share = |cost: &Cost| self.clock.of(cost) / cost.wall_s;
-            let per = |cost: &Cost| of(cost) * share(cost) * paper::DURATION_S / cost.virtual_s;
+        for (at, (name, colour)) in SHARES.iter().take(shares_drawn).enumerate() {
+            let per = |cost: &Cost| shares(self.clock, cost)[at];
             // What takes no time at all has no place on a logarithmic axis.
-            let rows = rows.iter().filter(|row| per(&row.runs[0].cost) > 1e-6);
+            let is_seen = |run: &Run| per(&run.cost) > 1e-6 && per(&run.cost).is_finite();
+            let whole = at == 0;
+            let rows = rows.iter().filter_map(|row| {
+                let runs: Vec<&Run> = match whole {
+                    true => row.runs.iter().collect(),
+                    false => row
+                        .runs
+                        .iter()
+                        .filter(|run| self.knows_parts(run))
+                        .collect(),
+                };
+                let is_drawn = !runs.is_empty() && runs.iter().all(|run| is_seen(run));
+                is_drawn.then_some((row, runs))
+            });
             let (points, spread): (Vec<_>, Vec<_>) = rows
-                .map(|row| {
-                    let all = || row.runs.iter().map(|run| per(&run.cost));
+                .map(|(row, runs)| {
+                    let all = || runs.iter().map(|run| per(&run.cost));
                     let low = all().fold(f64::INFINITY, f64::min);
                     let high = all().fold(0.0, f64::max);
                     ([f64::from(row.case.size), low], Some([low, high]))
@@ -189,7 +196,6 @@ impl Figure<'_> {
             if points.is_empty() {
                 continue;
             }
-            let whole = *name == "all";
             curves.push(Curve {
                 name: match self.lines.len() {
                     1 => (*name).to_owned(),
@@ -208,6 +214,13 @@ impl Figure<'_> {
         curves
     }
 
+    /// Whether the parts of a run say where its processor time went: they are measured as wall time, so what others did
+    /// meanwhile is in one part or another, unless it is little or the run so long that each part has its share.
+    fn knows_parts(&self, run: &Run) -> bool {
+        let used_s = self.clock.of(&run.cost);
+        self.clock == Clock::Wall || run.cost.wall_s <= UNDISTURBED * used_s || used_s >= LONG_S
+    }
+
     /// Whether what was run to find a limit is larger than all rows: then it is the end of the curves.
     fn beyond(&self, probe: &Row) -> bool {
         let mut rows = self.measured.rows.iter();
@@ -217,7 +230,9 @@ impl Figure<'_> {
     /// What was run between the rows to find the limits, as points.
     fn probes(&self) -> Option<Curve> {
         let probes = self.measured.probes.iter();
+        let is_seen = |row: &&Row| row.ratio(self.clock).is_finite();
         let points: Vec<_> = (probes.filter(|probe| !self.beyond(probe)))
+            .filter(is_seen)
             .map(|row| {
                 let ratios = row.runs.iter().map(|run| run.ratio(self.clock));
                 let least = ratios.fold(f64::INFINITY, f64::min);
@@ -285,7 +300,7 @@ impl Figure<'_> {
             rules.push(Rule {
                 across: Across::X(f64::from(n)),
                 label: format!("the paper's goal: {}", count(n)),
-                ink: paper_ink().thin(0.55),
+                ink: paper_ink().mixed(TEXT, 0.45),
             });
         }
         rules
@@ -293,6 +308,9 @@ impl Figure<'_> {
 
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
+        if self.measured.broken.is_some() {
+            notes.push("Broken off before its end: this is what there was.".to_owned());
+        }
         let limits = self.measured.limits.iter().zip(&self.lines);
         let limits: Vec<String> = limits
             .map(|(limit, line)| said(limit, line, self.lines.len()))
@@ -303,40 +321,72 @@ impl Figure<'_> {
                 limits.join("; ")
             ));
         }
-        let runs = self.measured.rows.iter().map(|row| row.runs.len());
-        let runs = runs.min().unwrap_or(0);
+        let counts = || self.measured.rows.iter().map(|row| row.runs.len());
+        let (least, most) = (counts().min().unwrap_or(0), counts().max().unwrap_or(0));
+        let runs = match (least, most) {
+            (_, 1) => "One run for each point.".to_owned(),
+            (least, most) if least == most => {
+                format!("Points: least of {most} runs; band: all of them.")
+            }
+            (least, most) => {
+                format!("Points: least of {least} to {most} runs; band: all of them.")
+            }
+        };
+        let clock = match self.clock {
+            Clock::Wall => "",
+            Clock::Processor => {
+                " Processor time is that of the busiest thread; its parts are not drawn of short runs that others \
+                 disturbed."
+            }
+        };
         let scaled = match self.duration_s == paper::DURATION_S {
             true => String::new(),
             false => format!(
-                " Runs are of {} s, their times drawn {} times.",
+                " Runs are of {} s: their start is drawn once, all else {} times.",
                 self.duration_s,
                 paper::DURATION_S / self.duration_s
             ),
         };
+        notes.push(format!("{runs}{clock}{scaled}"));
+        let load = self.load().map_or_else(String::new, |load| {
+            format!("; load of the machine {load:.1} in the mean")
+        });
+        notes.push(format!("Here: {}{load}.", self.machine.line()));
         notes.push(format!(
-            "{}{}{scaled}",
-            match runs {
-                1 => "One run for each point.".to_owned(),
-                n => format!("Points: least of {n} runs; band: all of them."),
-            },
-            match self.clock {
-                Clock::Wall => "",
-                Clock::Processor => " Processor time is that of the busiest thread.",
-            }
-        ));
-        notes.push(format!("Here: {}.", self.machine.line()));
-        notes.push(format!(
-            "Paper ({}), {}: {}.",
+            "Paper ({}), {}: {}. Its curves are in its pictures only, not in numbers: they are not drawn.",
             paper::SOURCE,
             paper::CPU,
             self.paper.says
         ));
-        notes.push(
-            "The paper's curves are in its pictures only, not in numbers: they are not drawn."
-                .to_owned(),
-        );
-        notes
+        let room = f64::from(SIZE[0]) - 48.0;
+        notes.iter().flat_map(|note| wrapped(note, room)).collect()
     }
+
+    /// How many threads of the machine wanted a processor before the runs, in the mean.
+    fn load(&self) -> Option<f64> {
+        let rows = self.measured.rows.iter().chain(&self.measured.probes);
+        let loads: Vec<f64> = rows
+            .flat_map(|row| &row.runs)
+            .filter_map(|run| run.load)
+            .collect();
+        let mean = loads.iter().sum::<f64>() / loads.len() as f64;
+        (!loads.is_empty()).then_some(mean)
+    }
+}
+
+/// A text in lines that are no wider than a room, pixels.
+fn wrapped(text: &str, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if words::width(&format!("{line} {word}"), SMALL) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 /// The ends between which a limit is, if they are more than a tenth apart.
@@ -372,7 +422,8 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::alone::{Case, Run};
+    use super::super::alone::Case;
+    use super::super::unfinished::Unfinished;
     use super::super::workload::tests::cost;
     use super::*;
     use crate::program::plot::sheet::{Shape, Words};
@@ -393,6 +444,8 @@ mod tests {
             rows: vec![row(1_000), row(40_000)],
             probes: vec![row(39_000), row(42_500)],
             limits: vec![limit],
+            broken: None,
+            unfinished: Unfinished::none(),
         };
         let figure = Figure {
             title: "Figure 7",
@@ -435,7 +488,7 @@ mod tests {
         ] {
             assert!(words.contains(&expected), "{expected}: {words:?}");
         }
-        assert!(words.iter().any(|text| text.contains("drawn 10 times")));
+        assert!(words.iter().any(|text| text.contains("all else 10 times")));
         assert!(!words.contains(&"radio"), "what takes no time is not drawn");
     }
 
@@ -447,6 +500,29 @@ mod tests {
         assert!(words.contains(&"here: above 40,000 \u{2192}"), "{words:?}");
         assert!(words.iter().any(|text| text.contains("as the search says")));
         assert!(words.contains(&"processor time for 100 virtual seconds, s"));
+    }
+
+    #[test]
+    fn the_parts_are_all_of_the_time_and_the_start_is_drawn_once() {
+        let mut run = cost(4.0, "a");
+        (run.start_s, run.wall_s) = (1.0, 5.0);
+        let [all, parts @ ..] = shares(Clock::Wall, &run);
+        // 1 s, and 4 s of 10 virtual seconds.
+        assert_eq!(all, 41.0);
+        assert!((parts.iter().sum::<f64>() - all).abs() < 1e-9, "{parts:?}");
+        (run.busiest_thread_s, run.start_busiest_s) = (Some(2.5), Some(0.5));
+        let [all, parts @ ..] = shares(Clock::Processor, &run);
+        assert_eq!((all, parts[4]), (20.5, 0.5));
+        assert!((parts.iter().sum::<f64>() - all).abs() < 1e-9, "{parts:?}");
+    }
+
+    #[test]
+    fn notes_are_wrapped_and_lose_no_word() {
+        let text = "a note that is long enough for several lines of words";
+        let lines = wrapped(text, 120.0);
+        assert!(lines.len() > 2, "{lines:?}");
+        assert!(lines.iter().all(|line| words::width(line, SMALL) <= 120.0));
+        assert_eq!(lines.join(" "), text);
     }
 
     #[test]

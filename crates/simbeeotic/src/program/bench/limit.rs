@@ -14,6 +14,9 @@ use super::super::plot::axes::grouped;
 use serde::Serialize;
 use simbeeotic_units::math;
 
+/// Why a search ended before its end.
+pub(super) const TIME_UP: &str = "; the next run would take longer than --within leaves";
+
 /// The limit of one curve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Limit {
@@ -23,7 +26,7 @@ pub(super) struct Limit {
     pub(super) high: Option<u32>,
     /// Where the ratio is 1 between the two.
     pub(super) estimate: Option<u32>,
-    /// Whether the search came to its end; if not, time was up.
+    /// Whether the search came to its end; if not, the next run would have taken longer than there was time.
     pub(super) settled: bool,
     /// In words.
     pub(super) text: String,
@@ -203,7 +206,7 @@ impl Known {
             _ => "not measured".to_owned(),
         };
         if !settled {
-            text.push_str(", when time was up");
+            text.push_str(TIME_UP);
         }
         Limit {
             low,
@@ -355,7 +358,7 @@ mod tests {
         assert!(!limit.settled);
         assert_eq!(
             limit.text,
-            "50,000 (bracket 48,900 to 100,000), when time was up"
+            "50,000 (bracket 48,900 to 100,000); the next run would take longer than --within leaves"
         );
     }
 

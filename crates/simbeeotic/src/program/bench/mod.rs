@@ -15,7 +15,7 @@
 //!
 //! Reading order: `workload` (what flies, and one run of it), `alone` (that run in its process), `measure`
 //! (the rows, and the probes of a limit), `limit` (the search); `process` and `machine` (what the operating
-//! system tells), `paper` (its numbers); `table`, `files`, `figure` and `report` (what comes of it); then
+//! system tells), `paper` (its numbers); `unfinished` (what is kept of a bench that is broken off); `table`, `files`, `figure` and `report` (what comes of it); then
 //! the experiments, each with its arguments.
 
 mod alone;
@@ -33,6 +33,7 @@ mod process;
 mod radio;
 mod report;
 mod table;
+mod unfinished;
 mod view;
 mod workload;
 

@@ -1,13 +1,13 @@
 //! What is told of an experiment, besides its table: its limits, its files, all of it as JSON.
 
 use super::alone::Case;
-use super::arguments::Common;
 use super::figure::{self, Axes, Figure};
 use super::files::{Facts, Files};
 use super::limit::Limit;
 use super::machine::Machine;
 use super::measure::{Experiment, Measured, Row};
 use super::paper::{self, Paper};
+use super::unfinished::{runs_of, runs_said};
 use super::{Failure, remark, say};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -66,11 +66,15 @@ struct Theirs<'a> {
 }
 
 impl Report<'_> {
-    /// Writes the files; then prints rows and limits as JSON, if that is wanted, or else the limits.
+    /// Writes files; prints rows and limits as JSON, if that is wanted, or else the limits. Of an experiment that was
+    /// broken off, what there is.
+    ///
+    /// # Errors
+    /// Files cannot be written; why it was broken off.
     pub(super) fn finish<R: Serialize>(
         &self,
         experiment: &impl Experiment,
-        measured: &Measured,
+        measured: Measured,
         rows: &[R],
     ) -> Result<(), Failure> {
         let common = experiment.common();
@@ -88,31 +92,80 @@ impl Report<'_> {
         }
         let files = match common.no_files {
             true => Vec::new(),
-            false => self.write(experiment, measured, &machine)?,
+            false => self.write(experiment, &measured, &machine)?,
         };
-        if !common.json {
-            return Ok(());
+        if common.json {
+            let told = |(row, of): (_, &Row)| Told {
+                row,
+                repeats: of.runs.len(),
+                ratio: of.ratio(common.clock),
+                wall_s_of_runs: of.runs.iter().map(|run| run.cost.wall_s).collect(),
+            };
+            let limits = measured.limits.iter().zip(&lines);
+            let answer = Answer {
+                figure: self.name,
+                machine: &machine,
+                rows: rows.iter().zip(&measured.rows).map(told).collect(),
+                limits: limits.map(|(limit, line)| Line { line, limit }).collect(),
+                paper: Theirs {
+                    limit: self.paper.limit,
+                    says: self.paper.says,
+                    source: paper::SOURCE,
+                },
+                files,
+            };
+            say(serde_json::to_string_pretty(&answer).map_err(Failure::run)?)?;
         }
-        let told = |(row, of): (_, &Row)| Told {
-            row,
-            repeats: of.runs.len(),
-            ratio: of.ratio(common.clock),
-            wall_s_of_runs: of.runs.iter().map(|run| run.cost.wall_s).collect(),
+        let done = runs_said(runs_of(&measured.rows) + runs_of(&measured.probes));
+        let go_on = match measured.unfinished.is_kept() {
+            true => "; the same command with --resume goes on",
+            false => "",
         };
-        let limits = measured.limits.iter().zip(&lines);
-        let answer = Answer {
+        match measured.broken {
+            None => {
+                measured.unfinished.finish();
+                Ok(())
+            }
+            Some(failure) if failure.is_interrupt() => {
+                remark(format!("interrupted after {done}{go_on}"));
+                Err(failure)
+            }
+            Some(failure) => Err(Failure {
+                message: format!("{} (after {done}{go_on})", failure.message.trim_end()),
+                ..failure
+            }),
+        }
+    }
+
+    /// Writes the table of what there is so far; that it cannot be written is said at the end.
+    pub(super) fn so_far(&self, experiment: &impl Experiment, rows: &[Row], probes: &[Row]) {
+        if experiment.common().no_files {
+            return;
+        }
+        let machine = Machine::this();
+        let files = self.files(experiment, [rows, probes], &[], &machine);
+        let _ = files.write_csv(&experiment.common().folder(self.name));
+    }
+
+    fn files<'a>(
+        &'a self,
+        experiment: &impl Experiment,
+        [rows, probes]: [&'a [Row]; 2],
+        limits: &'a [Limit],
+        machine: &'a Machine,
+    ) -> Files<'a> {
+        Files {
             figure: self.name,
-            machine: &machine,
-            rows: rows.iter().zip(&measured.rows).map(told).collect(),
-            limits: limits.map(|(limit, line)| Line { line, limit }).collect(),
-            paper: Theirs {
-                limit: self.paper.limit,
-                says: self.paper.says,
-                source: paper::SOURCE,
-            },
-            files,
-        };
-        say(serde_json::to_string_pretty(&answer).map_err(Failure::run)?)
+            paper: self.paper,
+            rows,
+            probes,
+            limits,
+            machine,
+            facts: self.facts,
+            searched: self.searched,
+            clock: experiment.common().clock,
+            duration_s: experiment.duration_s(),
+        }
     }
 
     fn write(
@@ -133,24 +186,11 @@ impl Report<'_> {
             duration_s: experiment.duration_s(),
             clock: experiment.common().clock,
         };
-        let files = Files {
-            figure: self.name,
-            paper: self.paper,
-            measured,
-            machine,
-            facts: self.facts,
-            searched: self.searched,
-            clock: experiment.common().clock,
-        };
+        let parts = [&measured.rows[..], &measured.probes];
+        let files = self.files(experiment, parts, &measured.limits, machine);
         files.write(
-            &folder(experiment.common(), self.name),
+            &experiment.common().folder(self.name),
             [&figure.draw(Axes::Even), &figure.draw(Axes::Log)],
         )
     }
-}
-
-/// Where the files go.
-fn folder(common: &Common, name: &str) -> PathBuf {
-    let chosen = common.output.clone();
-    chosen.unwrap_or_else(|| PathBuf::from("out").join(name))
 }

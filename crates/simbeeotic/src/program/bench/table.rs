@@ -6,36 +6,53 @@ use super::workload::Cost;
 use super::{Failure, remark, say};
 use serde::Serialize;
 
-/// Runs `run(row)` for `rows` rows, `repeat` times in turn, and gives the runs of each row. After so many
-/// whole rounds `again` says whether there is time for one more.
+/// Goes on with the runs of each row until there are `repeat` of them, one of each row in turn. Between rounds
+/// `again` says whether there is time for the next; `run` makes a run of a row, or none if the row is left out. Gives
+/// the runs of each row, and why that are not all.
 ///
 /// # Errors
-/// A run that fails, or whose trace hash differs from that of the row's first run.
+/// Beside what was run: a run that fails, or whose trace hash differs from that of the row's first run.
 pub(super) fn rounds(
-    rows: usize,
+    mut all: Vec<Vec<Run>>,
     repeat: u32,
-    again: impl Fn(u32) -> bool,
-    mut run: impl FnMut(usize) -> Result<Run, Failure>,
-) -> Result<Vec<Vec<Run>>, Failure> {
-    let mut all: Vec<Vec<Run>> = vec![Vec::new(); rows];
-    for round in 0..repeat {
-        if round > 0 && !again(round) {
+    again: impl Fn(&[Vec<Run>]) -> bool,
+    mut run: impl FnMut(usize, &[Vec<Run>]) -> Result<Option<Run>, Failure>,
+) -> (Vec<Vec<Run>>, Option<Failure>) {
+    for round in 0..repeat as usize {
+        if round > 0 && all.iter().any(|runs| runs.len() == round) && !again(&all) {
             break;
         }
-        for (row, runs) in all.iter_mut().enumerate() {
-            let run = run(row)?;
-            if let Some(first) = runs.first()
-                && first.cost.trace_hash != run.cost.trace_hash
-            {
-                return Err(Failure::run(format!(
-                    "two runs of one scenario differ: trace hashes {} and {}",
-                    first.cost.trace_hash, run.cost.trace_hash
-                )));
+        for row in 0..all.len() {
+            // One that was left out in the first round stays out.
+            if all[row].len() > round || (round > 0 && all[row].is_empty()) {
+                continue;
             }
-            runs.push(run);
+            match run(row, &all) {
+                Ok(None) => {}
+                Ok(Some(run)) => {
+                    all[row].push(run);
+                    if let Err(failure) = alike(&all[row]) {
+                        return (all, Some(failure));
+                    }
+                }
+                Err(failure) => return (all, Some(failure)),
+            }
         }
     }
-    Ok(all)
+    (all, None)
+}
+
+/// Runs of a row differ in nothing.
+fn alike(runs: &[Run]) -> Result<(), Failure> {
+    match runs {
+        [first, .., last] if first.cost.trace_hash != last.cost.trace_hash => {
+            Err(Failure::run(format!(
+                "two runs of one scenario differ: trace hashes {} and {}",
+                first.cost.trace_hash, last.cost.trace_hash
+            )))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The number of threads must not show in a run: rows of so many bees, in order, on so many threads.
@@ -65,7 +82,8 @@ pub(super) fn same_for(threads: &[usize]) {
 }
 
 /// Where the time goes: the columns that every experiment has.
-pub(super) const SHARES: [&str; 6] = [
+pub(super) const SHARES: [&str; 7] = [
+    "start s",
     "events s",
     "physics s",
     "radio s",
@@ -75,9 +93,10 @@ pub(super) const SHARES: [&str; 6] = [
 ];
 
 /// The figures for [`SHARES`].
-pub(super) fn shares(cost: &Cost) -> [String; 6] {
+pub(super) fn shares(cost: &Cost) -> [String; 7] {
     let seconds = |s: f64| format!("{s:.3}");
     [
+        seconds(cost.start_s),
         seconds(cost.events_s),
         seconds(cost.physics_s),
         seconds(cost.radio_s),
@@ -122,21 +141,23 @@ mod tests {
     use super::super::workload::tests::cost;
     use super::*;
 
+    fn same(wall_s: f64) -> Run {
+        Run::of(cost(wall_s, "same"))
+    }
+
     #[test]
     fn rows_are_run_in_turn_and_keep_all_their_runs() {
         let mut order = Vec::new();
-        let runs = rounds(
-            2,
+        let (runs, failure) = rounds(
+            vec![Vec::new(); 2],
             3,
             |_| true,
-            |row| {
+            |row, _| {
                 order.push(row);
-                Ok(Run::of(cost(5.0 + order.len() as f64, "same")))
+                Ok(Some(same(5.0 + order.len() as f64)))
             },
         );
-        let Ok(runs) = runs else {
-            panic!("all runs are alike")
-        };
+        assert!(failure.is_none());
         assert_eq!(order, [0, 1, 0, 1, 0, 1]);
         let walls = |row: usize| -> Vec<f64> { runs[row].iter().map(|r| r.cost.wall_s).collect() };
         assert_eq!(
@@ -146,22 +167,40 @@ mod tests {
     }
 
     #[test]
+    fn what_is_there_is_not_run_again_and_what_is_left_out_stays_out() {
+        let mut order = Vec::new();
+        let there = vec![vec![same(1.0), same(1.0)], vec![same(1.0)], Vec::new()];
+        let (runs, failure) = rounds(
+            there,
+            3,
+            |_| true,
+            |row, _| {
+                order.push(row);
+                Ok((row != 2).then(|| same(2.0)))
+            },
+        );
+        assert!(failure.is_none());
+        assert_eq!(order, [2, 1, 0, 1]);
+        assert_eq!(runs.iter().map(Vec::len).collect::<Vec<_>>(), [3, 3, 0]);
+    }
+
+    #[test]
     fn there_is_one_round_and_more_only_if_there_is_time() {
         for (time_for, rounds_run) in [(0, 1), (2, 2), (9, 4)] {
-            let again = |done| done < time_for;
-            let runs = rounds(1, 4, again, |_| Ok(Run::of(cost(1.0, "same"))));
-            let runs = runs.map(|runs| runs[0].len());
-            assert_eq!(runs.ok(), Some(rounds_run));
+            let again = |runs: &[Vec<Run>]| runs[0].len() < time_for;
+            let (runs, _) = rounds(vec![Vec::new()], 4, again, |_, _| Ok(Some(same(1.0))));
+            assert_eq!(runs[0].len(), rounds_run);
         }
     }
 
     #[test]
-    fn runs_that_differ_are_an_error() {
+    fn runs_that_differ_are_an_error_and_kept() {
         let mut hashes = ["a", "b", "a", "c"].into_iter();
-        let run = |_| Ok(Run::of(cost(1.0, hashes.next().expect("a run"))));
-        let failure = rounds(2, 2, |_| true, run).err();
+        let run = |_, _: &[Vec<Run>]| Ok(Some(Run::of(cost(1.0, hashes.next().expect("a run")))));
+        let (runs, failure) = rounds(vec![Vec::new(); 2], 2, |_| true, run);
         let failure = failure.expect("b is not c");
         assert!(failure.message.contains("b and c"), "{}", failure.message);
+        assert_eq!((runs[0].len(), runs[1].len()), (2, 2));
     }
 
     #[test]

@@ -146,11 +146,32 @@ impl Chart {
                 Across::Y(y) => {
                     let [_, y] = panel.place(panel.x.low, y);
                     sheet.dashed(vec![[left, y], [right, y]], rule.ink, 1.4, DASH);
-                    let place = [left + 8.0, y - 6.0];
-                    sheet.words_apart(place, label, SMALL, Anchor::Start);
+                    let (x, anchor) = match self.is_free_on_the_left(panel, label, y) {
+                        true => (left + 8.0, Anchor::Start),
+                        false => (right - 8.0, Anchor::End),
+                    };
+                    sheet.words_apart([x, y - 6.0], label, SMALL, anchor);
                 }
             }
         }
+    }
+
+    /// Whether a label at the left end of a level rule stands on no upright one and on no curve; or else it does so
+    /// at the right end, too.
+    fn is_free_on_the_left(&self, panel: &Panel, label: &str, y: f64) -> bool {
+        let [left, _, right, _] = panel.edges;
+        let wide = words::width(label, SMALL) + 16.0;
+        let stands_on = |from: f64, to: f64| {
+            let within = |x: f64| (from..=to).contains(&x);
+            let upright = self.rules.iter().any(|rule| match rule.across {
+                Across::X(x) => within(panel.place(x, panel.y.low)[0]),
+                Across::Y(_) => false,
+            });
+            let mut points = self.curves.iter().flat_map(|curve| &curve.points);
+            let near = |[x, other]: [f64; 2]| within(x) && (y - 24.0..=y + 4.0).contains(&other);
+            upright || points.any(|[x, y]| near(panel.place(*x, *y)))
+        };
+        !stands_on(left, left + wide) || stands_on(right - wide, right)
     }
 
     fn key(&self, sheet: &mut Sheet, panel: &Panel) {
@@ -315,6 +336,28 @@ mod tests {
         assert_eq!(text.matches(">limit: 300</text>").count(), 2);
         assert!(text.contains(">a note</text>") && text.contains(">all</text>"));
         assert!(!svg(&chart(Vec::new()).draw(900, 600)).contains("dasharray"));
+    }
+
+    #[test]
+    fn the_label_of_a_level_rule_stands_where_no_upright_one_runs_through_it() {
+        let anchor = |rules: Vec<Rule>| {
+            let sheet = chart(rules).draw(900, 600);
+            let label = sheet.shapes.iter().find_map(|shape| match shape {
+                super::super::sheet::Shape::Words(words) if words.text == "level" => {
+                    Some(words.anchor)
+                }
+                _ => None,
+            });
+            label.expect("the label")
+        };
+        let level = || Rule {
+            label: "level".to_owned(),
+            ..rule(Across::Y(10.0))
+        };
+        let [low, high] = [11.0, 890.0].map(|x| rule(Across::X(x)));
+        assert_eq!(anchor(vec![level()]), Anchor::Start);
+        assert_eq!(anchor(vec![level(), low.clone()]), Anchor::End);
+        assert_eq!(anchor(vec![level(), low, high]), Anchor::Start);
     }
 
     #[test]

@@ -9,22 +9,16 @@
 
 use super::rows::Row;
 use super::{SweepOptions, recording};
+use crate::program::journal::{self, Journal};
 use crate::program::{Failure, remark};
 use serde::{Deserialize, Serialize};
 use simbeeotic_scenario::Sweep;
-use simbeeotic_scenario::sweep::hash_of;
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
-/// What the name of the table gets.
-const ENDING: &str = ".unfinished";
 /// What the file is, in its first line.
 const WHAT: &str = "rows of a sweep of simbeeotic";
-/// Rows of no more than this time are lost if the machine stops; if only the program does, none.
-const SYNCED: Duration = Duration::from_secs(1);
 
 /// What rows hang on: those of another are not taken up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,13 +35,11 @@ struct Head {
 
 impl Head {
     fn of(sweep: &Sweep) -> Self {
-        let program = std::env::current_exe().and_then(File::open);
-        let program = program.and_then(hash_of).unwrap_or(0);
         let made_of = sweep.made_of().into_iter();
         Self {
             what: WHAT.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            program: format!("{program:016x}"),
+            program: journal::program(),
             made_of: made_of
                 .map(|(name, hash)| (name, format!("{hash:016x}")))
                 .collect(),
@@ -126,15 +118,9 @@ impl Recorded {
 /// The file, and what is in it.
 pub(super) struct Unfinished {
     /// `None` if the table is no file, and so nothing stays of it.
-    path: Option<PathBuf>,
-    head: Head,
+    journal: Option<Journal>,
     /// Where runs are recorded, if they are.
     record: Option<PathBuf>,
-    /// Open once there is a row in it.
-    file: Option<File>,
-    synced: Instant,
-    /// Whether it can be written; that it cannot is told once.
-    writes: bool,
 }
 
 impl Unfinished {
@@ -142,59 +128,46 @@ impl Unfinished {
     ///
     /// # Errors
     /// There are rows, and no option says what becomes of them; they hang on something else.
-    #[allow(
-        clippy::disallowed_methods,
-        reason = "when the disk was last waited for"
-    )]
     pub(super) fn open(
         sweep: &Sweep,
         table: &Path,
         options: &SweepOptions,
     ) -> Result<(Self, Vec<Row>), Failure> {
         let no_file = fs::metadata(table).is_ok_and(|there| !there.is_file());
+        let head = Head::of(sweep);
         let mut this = Self {
-            path: (!no_file).then(|| beside(table)),
-            head: Head::of(sweep),
+            journal: (!no_file).then(|| Journal::new(table, "sweep", &head)),
             record: options.record.clone(),
-            file: None,
-            synced: Instant::now(),
-            writes: true,
         };
-        let Some(path) = this.path.clone() else {
+        let Some(journal) = &this.journal else {
             return Ok((this, Vec::new()));
         };
-        let (head, lines) = match fs::read(&path) {
-            Ok(bytes) => parsed(&path, &bytes)?,
-            Err(e) if e.kind() == io::ErrorKind::NotFound => {
-                if options.resume && !options.quiet {
-                    remark("there is nothing to go on with: all runs are flown");
-                }
-                return Ok((this, Vec::new()));
+        let path = journal.path().display().to_string();
+        let Some((was, lines)) = journal.read::<Head, Line>(|head| head.what == WHAT)? else {
+            if options.resume && !options.quiet {
+                remark("there is nothing to go on with: all runs are flown");
             }
-            Err(e) => return Err(Failure::input(format!("{}: {e}", path.display()))),
+            return Ok((this, Vec::new()));
         };
         if options.restart || lines.is_empty() {
             return Ok((this, Vec::new()));
         }
         if !options.resume {
             return Err(Failure::input(format!(
-                "{} has {} of a sweep that is not whole: --resume goes on with it, --restart begins again",
-                path.display(),
+                "{path} has {} of a sweep that is not whole: --resume goes on with it, --restart begins again",
                 super::runs_said(lines.len()),
             )));
         }
-        if let Some(what) = head.changed(&this.head) {
+        if let Some(what) = was.changed(&head) {
             return Err(Failure::input(format!(
-                "--resume: {what}, so the {} in {} may be others now: --restart flies them again",
+                "--resume: {what}, so the {} in {path} may be others now: --restart flies them again",
                 super::runs_said(lines.len()),
-                path.display(),
             )));
         }
         let rows = this.rows(sweep, &lines);
         if rows.len() < lines.len() {
             // A seed that was forgotten must not cost the work of days.
-            let aside = set_aside(&path)
-                .map_err(|e| Failure::input(format!("cannot keep {}: {e}", path.display())))?;
+            let aside = journal.set_aside()?.display().to_string();
             let rest = super::runs_said(lines.len() - rows.len());
             let why = match &options.record {
                 Some(_) => {
@@ -204,14 +177,16 @@ impl Unfinished {
             };
             if !options.quiet {
                 remark(format!(
-                    "{rest} in {} left out: {why}; the file is kept as {}",
-                    path.display(),
-                    aside.display()
+                    "{rest} in {path} left out: {why}; the file is kept as {aside}"
                 ));
             }
         }
-        this.rewrite(sweep, &rows)
-            .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
+        let kept: Vec<Line> = rows.iter().map(|row| this.kept(sweep, row)).collect();
+        if let Some(journal) = &mut this.journal {
+            journal
+                .rewrite(&kept)
+                .map_err(|e| Failure::input(format!("{path}: {e}")))?;
+        }
         Ok((this, rows))
     }
 
@@ -241,20 +216,6 @@ impl Unfinished {
         rows.into_values().collect()
     }
 
-    /// Writes it with these rows alone.
-    fn rewrite(&mut self, sweep: &Sweep, rows: &[Row]) -> io::Result<()> {
-        let Some(path) = self.path.as_ref().filter(|_| !rows.is_empty()) else {
-            return Ok(());
-        };
-        let mut text = line_of(&self.head)?;
-        for row in rows {
-            text.push_str(&line_of(&self.kept(sweep, row))?);
-        }
-        simbeeotic_record::publish(path, |mut file| file.write_all(text.as_bytes()))?;
-        self.file = Some(File::options().append(true).open(path)?);
-        Ok(())
-    }
-
     fn kept(&self, sweep: &Sweep, row: &Row) -> Line {
         let numbers = row.numbers();
         let folder = self.record.as_deref();
@@ -272,99 +233,23 @@ impl Unfinished {
 
     /// Adds a run that came to its end.
     pub(super) fn add(&mut self, sweep: &Sweep, row: &Row) {
-        if !self.writes {
-            return;
+        let line = self.kept(sweep, row);
+        if let Some(journal) = &mut self.journal {
+            journal.add(&line);
         }
-        if let Err(e) = self.append(sweep, row) {
-            self.writes = false;
-            remark(format!(
-                "rows cannot be written as they come ({e}): if this sweep is broken off, --resume does not know \
-                 them"
-            ));
-        }
-    }
-
-    #[allow(
-        clippy::disallowed_methods,
-        reason = "the disk is waited for once a second, not for each row"
-    )]
-    fn append(&mut self, sweep: &Sweep, row: &Row) -> io::Result<()> {
-        if self.file.is_none() {
-            return self.rewrite(sweep, std::slice::from_ref(row));
-        }
-        let line = line_of(&self.kept(sweep, row))?;
-        let Some(file) = &mut self.file else {
-            return Ok(());
-        };
-        // In one piece: what is cut off is a line that is none.
-        file.write_all(line.as_bytes())?;
-        let now = Instant::now();
-        if now.saturating_duration_since(self.synced) > SYNCED {
-            file.sync_data()?;
-            self.synced = now;
-        }
-        Ok(())
     }
 
     /// The table is whole: the file goes.
     pub(super) fn finish(self) {
-        if let Some(path) = &self.path {
-            let _ = fs::remove_file(path);
+        if let Some(journal) = self.journal {
+            journal.finish();
         }
     }
 
     /// Whether there are rows in it to go on with.
     pub(super) fn is_kept(&self) -> bool {
-        self.file.is_some() && self.writes
+        self.journal.as_ref().is_some_and(Journal::is_kept)
     }
-}
-
-fn beside(table: &Path) -> PathBuf {
-    let mut name = table.file_name().unwrap_or_default().to_os_string();
-    name.push(ENDING);
-    table.with_file_name(name)
-}
-
-fn line_of(value: &impl Serialize) -> io::Result<String> {
-    let mut text = serde_json::to_string(value)?;
-    text.push('\n');
-    Ok(text)
-}
-
-/// Head and rows of a file; a line that is no row is none, as a crash leaves it.
-fn parsed(path: &Path, bytes: &[u8]) -> Result<(Head, Vec<Line>), Failure> {
-    let text = String::from_utf8_lossy(bytes);
-    let mut lines = text.lines();
-    let head = lines
-        .next()
-        .and_then(|line| serde_json::from_str::<Head>(line).ok());
-    match head.filter(|head| head.what == WHAT) {
-        Some(head) => {
-            let rows = lines.filter_map(|line| serde_json::from_str(line).ok());
-            Ok((head, rows.collect()))
-        }
-        None => Err(Failure::input(format!(
-            "{}: this file is in the way of the rows of the sweep, and it is something else: remove it, or choose \
-             another --output",
-            path.display()
-        ))),
-    }
-}
-
-/// Copies a file to a name beside it that nothing has; tells the name.
-fn set_aside(path: &Path) -> io::Result<PathBuf> {
-    let mut copy = path.as_os_str().to_owned();
-    copy.push(".old");
-    let mut free = PathBuf::from(&copy);
-    let mut number = 1;
-    while free.exists() {
-        number += 1;
-        let mut name = copy.clone();
-        name.push(format!("-{number}"));
-        free = PathBuf::from(name);
-    }
-    fs::copy(path, &free)?;
-    Ok(free)
 }
 
 #[cfg(test)]
@@ -408,32 +293,5 @@ mod tests {
             said(|now| now.made_of.push(("m.stl".to_owned(), "01".to_owned()))),
             "m.stl has changed"
         );
-    }
-
-    #[test]
-    fn a_line_that_a_crash_cut_off_is_no_row_and_another_file_is_refused() {
-        let row = Line {
-            run: "seed = 1".to_owned(),
-            seed: 1,
-            trace_hash: "0f".to_owned(),
-            ended: "end time".to_owned(),
-            numbers: vec![("spread [m]".to_owned(), "0.1".to_owned())],
-            recorded: None,
-        };
-        let mut text = line_of(&head()).expect("JSON");
-        text.push_str(&line_of(&row).expect("JSON"));
-        let whole = text.len();
-        text.push_str(&line_of(&row).expect("JSON"));
-        let path = Path::new("x");
-        let rows = |length: usize| {
-            let (read, rows) = parsed(path, &text.as_bytes()[..length])
-                .unwrap_or_else(|f| panic!("{}", f.message));
-            assert!(read == head());
-            rows.len()
-        };
-        assert_eq!((rows(whole), rows(whole + 9), rows(text.len())), (1, 1, 2));
-        for other in ["", "run,seed\n", "{\"what\": 3}\n"] {
-            assert!(parsed(path, other.as_bytes()).is_err(), "{other}");
-        }
     }
 }
