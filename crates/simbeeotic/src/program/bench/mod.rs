@@ -14,7 +14,7 @@
 //! through, to be held against what others say.
 //!
 //! Reading order: `workload` (what flies, and one run of it), `alone` (that run in its process), `measure`
-//! (the rows, and the probes of a limit), `limit` (the search); `process` and `machine` (what the operating
+//! (the rows, and the probes of a limit), `judge` (when runs are enough), `limit` (the search); `process` and `machine` (what the operating
 //! system tells), `paper` (its numbers); `unfinished` (what is kept of a bench that is broken off); `table`, `files`, `figure` and `report` (what comes of it); then
 //! the experiments, each with its arguments.
 
@@ -25,6 +25,7 @@ mod fig7;
 mod fig8;
 mod figure;
 mod files;
+mod judge;
 mod limit;
 mod machine;
 mod measure;
