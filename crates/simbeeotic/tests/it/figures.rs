@@ -219,6 +219,10 @@ fn the_table_is_the_same_as_csv_and_as_parquet_with_the_paper_in_rows_of_its_own
     );
     assert!(limit.starts_with("measured limit"), "{limit}");
     assert_eq!(get(&rows[4], "clock"), "processor time");
+    // No time for a probe: a bound is known, and the note says that it is one.
+    let [n, low] = ["bees", "limit_low"].map(|name| get(&rows[4], name));
+    assert_eq!((n.as_str(), low.as_str()), ("20", "20"));
+    assert!(get(&rows[4], "note").contains("above 20"));
     for row in &rows[..4] {
         let number = |name: &str| get(row, name).parse::<f64>().expect(name);
         // The start once, and the rest as often as it fits.
@@ -396,12 +400,20 @@ fn a_bench_that_was_interrupted_keeps_what_it_measured_and_goes_on() {
         "--no-limit",
     ];
     let call = |more: &[&str]| program.call(&[&tiny, more].concat());
-    let table = || {
+    // Bees and wall time of each run, to six digits.
+    let measured = || -> Vec<(String, String)> {
         let text = std::fs::read_to_string(program.path("out/fig7/fig7.csv")).expect("CSV");
-        let lines = text.lines().filter(|line| line.contains(",measured,row,"));
-        // The command that was called last is in all lines.
-        let own = |line: &str| line.split(",simbeeotic bench ").next().map(str::to_owned);
-        lines.filter_map(own).collect::<Vec<_>>()
+        let rows = table(&text).into_iter();
+        let get = |row: &[(String, String)], name: &str| {
+            let found = row.iter().find(|(column, _)| column == name);
+            found.expect(name).1.clone()
+        };
+        let runs = rows.filter(|row| get(row, "kind") == "row" && get(row, "source") == "measured");
+        let told = |row: Vec<_>| {
+            let wall_s: f64 = get(&row, "wall_s").parse().expect("a time");
+            (get(&row, "bees"), format!("{wall_s:.6e}"))
+        };
+        runs.map(told).collect()
     };
     let unfinished = "out/fig7/fig7.csv.unfinished";
     // A thousand rounds: nobody waits for their end.
@@ -421,7 +433,7 @@ fn a_bench_that_was_interrupted_keeps_what_it_measured_and_goes_on() {
     }
     let svg = std::fs::read_to_string(program.path("out/fig7/fig7.svg")).expect("SVG");
     assert!(svg.contains("Broken off before its end"));
-    let before = table();
+    let before = measured();
     assert!(before.len() >= 3, "{before:?}");
     assert!(
         broken
@@ -456,11 +468,9 @@ fn a_bench_that_was_interrupted_keeps_what_it_measured_and_goes_on() {
     // With two runs of each row, and one size more.
     let resumed = call(&["--n", "5", "--repeat", "2", "--resume"]);
     assert_eq!(resumed.code, Some(0), "{}", resumed.err);
-    let after = table();
-    assert!(before.iter().all(|line| after.contains(line)), "{after:?}");
-    let fresh: Vec<_> = after.iter().filter(|line| !before.contains(line)).collect();
-    let of_five = |line: &&&String| line.contains(",measured,row,5,");
-    assert_eq!(fresh.iter().filter(of_five).count(), 2, "{fresh:?}");
+    let after = measured();
+    assert!(before.iter().all(|run| after.contains(run)), "{after:?}");
+    assert_eq!(after.iter().filter(|(bees, _)| bees == "5").count(), 2);
     assert!(!program.path(unfinished).exists(), "it is whole");
     let again = call(&["--repeat", "1", "--resume"]);
     assert_eq!(again.code, Some(0), "{}", again.err);

@@ -9,7 +9,7 @@
 //! | `figure` | | `fig6`, `fig7` or `fig8` |
 //! | `source` | | `measured` here, or `paper` |
 //! | `kind` | | `row` of the table, `probe` of the search for the limit, `limit`, or the paper's `goal` |
-//! | `bees`, `obstacles` | 1 | how many; at a limit the one that was searched is the limit |
+//! | `bees`, `obstacles` | 1 | how many; at a limit the one that was searched is the limit, or the bound that is known of it |
 //! | `limit_low`, `limit_high` | 1 | of a limit: largest size that kept real time, smallest that did not |
 //! | `repeat` | 1 | which run of this size: 1, 2, ... |
 //! | `threads` | 1 | threads that ran models |
@@ -129,7 +129,8 @@ impl Files<'_> {
         for (line, limit) in self.limits.iter().enumerate() {
             let mut facts = (self.facts)(Case { line, size: 0 });
             let Limit { low, high, .. } = *limit;
-            (self.searched)(&mut facts, limit.estimate);
+            // Where there is no more than a bound, the bound: the note says that it is one.
+            (self.searched)(&mut facts, limit.estimate.or(low).or(high));
             entries.push(Entry {
                 facts,
                 bracket: [low, high],
