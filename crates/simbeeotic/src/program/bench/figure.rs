@@ -173,8 +173,10 @@ impl Figure<'_> {
             // What takes no time at all has no place on a logarithmic axis.
             let is_seen = |run: &Run| per(&run.cost) > 1e-6 && per(&run.cost).is_finite();
             let whole = at == 0;
+            // The start has a clock of its own.
+            let is_timed = whole || at + 1 == SHARES.len();
             let rows = rows.iter().filter_map(|row| {
-                let runs: Vec<&Run> = match whole {
+                let runs: Vec<&Run> = match is_timed {
                     true => row.runs.iter().collect(),
                     false => row
                         .runs
