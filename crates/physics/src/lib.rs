@@ -100,6 +100,7 @@ mod statics;
 mod stepping;
 mod support;
 mod tree;
+mod tumbling;
 mod walls;
 
 pub use body::{BodyId, BodySpec, Contacts, Material, Mobility, group};

@@ -27,6 +27,7 @@
 use crate::limits::RATE_RAD_S_MAX;
 use crate::motion::{Motion, Spin, seconds_between};
 use crate::support::Support;
+use crate::tumbling;
 use glam::{DQuat, DVec3};
 use simbeeotic_kernel::SimTime;
 
@@ -38,8 +39,6 @@ const STEP_SPIN_UP_RAD: f64 = 4e-5;
 const STEP_LOG2_RANGE: (u8, u8) = (11, 27);
 /// A tumbling segment begins anew after this many steps, so that asking stays cheap.
 const STEPS_PER_SEGMENT: u64 = 256;
-/// A tumbling segment that nobody begins anew is evaluated in at most this many, longer, steps.
-const STEPS_MAX: u64 = 1 << 16;
 
 /// `(-1)^k / (2k + 1)!` and `(-1)^k / (2k)!`: the power series of `sin(x) / x` and `cos(x)` in `x^2`.
 const SINC: [f64; 6] = [
@@ -133,7 +132,7 @@ impl Euler {
     }
 
     /// One step of equation (2).
-    fn advance(&self, q: DQuat, w: DVec3, h: f64) -> (DQuat, DVec3) {
+    pub(crate) fn advance(&self, q: DQuat, w: DVec3, h: f64) -> (DQuat, DVec3) {
         let half = self.step(w, 0.5 * h);
         let full = self.step(half, 0.5 * h);
         let turn = (w + half * 4.0 + full) * (h / 6.0) + w.cross(full) * (h * h / 12.0);
@@ -153,25 +152,7 @@ impl Motion {
                 let turn = self.w * s + spin_up * (0.5 * s * s);
                 (unit(self.q * turn_by(turn)), hold(self.w + spin_up * s))
             }
-            Spin::Tumbling => self.tumble(t.nanos() - self.t0.nanos()),
-        }
-    }
-
-    /// Attitude and body rate `span` nanoseconds after the start, in steps counted from there.
-    fn tumble(&self, span: u64) -> (DQuat, DVec3) {
-        let mut log2 = u32::from(self.step_log2);
-        while span >> log2 > STEPS_MAX {
-            log2 += 1;
-        }
-        let step = 1_u64 << log2;
-        let euler = self.euler();
-        let (mut q, mut w) = (self.q, self.w);
-        for _ in 0..span >> log2 {
-            (q, w) = euler.advance(q, w, step as f64 / 1e9);
-        }
-        match span & (step - 1) {
-            0 => (q, w),
-            rest => euler.advance(q, w, rest as f64 / 1e9),
+            Spin::Tumbling => tumbling::rotation(self, t.nanos() - self.t0.nanos()),
         }
     }
 
