@@ -301,9 +301,13 @@ impl Simulation {
         Ok(())
     }
 
-    /// Shows the components a run that stands. Marks that one of them looks at are not shown to it
-    /// again; those that it leaves are there at its next observation.
-    fn show_held(&mut self) -> Result<(), ComponentError> {
+    /// Shows the components a run that stands: while it is held, and after its end as often as the program likes, so
+    /// that they can tell of it what somebody asks then ([`Component::held`](crate::Component::held)). Marks that one
+    /// of them looks at are not shown to it again; those that it leaves are there at its next observation.
+    ///
+    /// # Errors
+    /// What a component says.
+    pub fn show_held(&mut self) -> Result<(), ComponentError> {
         let (engine, origin) = (&self.engine, &self.origin);
         let marks = &engine.domain().marks;
         for observer in &mut self.observers {

@@ -97,7 +97,10 @@ pub(super) fn run(options: RunOptions) -> Result<(), Failure> {
         if let Err(failure) = &mut result {
             complain(&std::mem::take(&mut failure.message));
         }
-        view::linger(&visitors, &interrupted);
+        // Pages go on asking about the swarm; what another component says to that is nobody's business any more.
+        view::linger(&visitors, &interrupted, || {
+            let _ = simulation.show_held();
+        });
     }
     result?;
     if summary.ended == INTERRUPTED && interrupted.load(Ordering::Relaxed) {

@@ -113,12 +113,15 @@ pub(super) fn view(options: &ViewOptions) -> Result<(), Failure> {
     server.show(Arc::new(replay));
     let interrupted = at_interrupt(|| {});
     announce(&server.url(), Some(&server.visitors()), page.open);
-    linger(&server.visitors(), &interrupted);
+    linger(&server.visitors(), &interrupted, || {});
     Ok(())
 }
 
-/// Stays until the last page is closed, or an interrupt.
-pub(super) fn linger(visitors: &Visitors, interrupted: &AtomicBool) {
+/// Stays until the last page is closed, or an interrupt; does `meanwhile` ten times a second.
+pub(super) fn linger(visitors: &Visitors, interrupted: &AtomicBool, mut meanwhile: impl FnMut()) {
     remark("the page stays until it is closed, or Ctrl-C");
-    visitors.wait_for_the_last(|| interrupted.load(Ordering::Relaxed));
+    visitors.wait_for_the_last(|| {
+        meanwhile();
+        interrupted.load(Ordering::Relaxed)
+    });
 }

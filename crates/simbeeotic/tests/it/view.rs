@@ -174,6 +174,11 @@ fn looked_at(pages: &[PageOf], paused: bool, stay: bool) -> (String, Vec<usize>)
     };
     let hash = outcome.summary.trace_hash;
     if stay {
+        // As the program does while a page is there.
+        while !pages.iter().all(JoinHandle::is_finished) {
+            simulation.show_held().expect("the viewer looks");
+            std::thread::sleep(Duration::from_millis(20));
+        }
         return (hash, seen(pages));
     }
     drop(simulation);

@@ -6,7 +6,7 @@ import { layerNames, readPlace, writePlace, type Place } from "./core/place";
 import type { Settings } from "./core/settings";
 import { throttled } from "./core/signal";
 import type { Run } from "./run";
-import type { CameraState, SceneView, ViewName } from "./scene/index";
+import { trailSeconds, trailStep, type CameraState, type SceneView, type ViewName } from "./scene/index";
 import { createScene } from "./scene/scene";
 import { captionOf } from "./ui/caption";
 import { chartsPanel } from "./ui/charts";
@@ -23,6 +23,8 @@ import { vehiclesPanel } from "./ui/vehicles";
 /** Pictures that take no longer are drawn as often as the screen wants one. */
 const QUICK_MS = 20;
 const LONGEST_REST_MS = 2000;
+/** In larger swarms the past of a recording is not fetched for trails: they are of what was played. */
+const MOST_TRACED = 2000;
 
 export class Page {
   private readonly element: HTMLElement;
@@ -226,6 +228,7 @@ export class Page {
     if (moment.jumped || this.hidden) scene?.jumped();
     this.hidden = false;
     scene?.show(moment.a, moment.b, moment.f);
+    if (moment.past) scene?.retrace(moment.past);
     if (this.pendingCamera && !run.replay?.waiting.value) {
       scene?.setCamera(this.pendingCamera);
       this.pendingCamera = null;
@@ -274,6 +277,14 @@ export class Page {
     }
     const { replay } = run;
     if (replay) {
+      const seconds = trailSeconds(replay.span.period_s);
+      const trace = () => {
+        const shown = run.layers.value.trails && run.count <= MOST_TRACED;
+        replay.trace(shown ? seconds : 0, trailStep(seconds));
+        this.wake();
+      };
+      run.layers.now((layers, before) => (layers === before || layers.trails !== before.trails) && trace());
+      run.selected.on(trace);
       replay.playing.on(() => this.wake());
       // What the program knows of the selected vehicle at the time that is shown.
       run.time.on(throttled(300, () => run.selected.value !== null && run.askDetails()));

@@ -66,6 +66,10 @@ export class Run {
   /** The kind of marks that are listed, drawn and jumped to; empty: all. */
   readonly markKind = new Signal("");
   readonly marked = new Signal(0);
+  /** Whether only marks of the selected vehicle are listed and jumped to. */
+  readonly ownMarks = new Signal(false);
+  /** The mark that was gone to last. */
+  readonly soughtMark = new Signal<Mark | null>(null);
   marksDropped = 0;
 
   /** Virtual time that is shown, s. */
@@ -278,20 +282,18 @@ export class Run {
     this.onBusy();
   }
 
-  /** Marks of the kind that is wanted. */
+  /** Marks of the kind that is wanted, and of the selected vehicle if only its are. */
   marksWanted(): Mark[] {
     const kind = this.markKind.value;
-    return kind === "" ? this.marks : this.marks.filter((mark) => mark.kind === kind);
+    const vehicle = this.ownMarks.value ? this.selected.value : null;
+    return this.marks.filter((mark) => (kind === "" || mark.kind === kind) && (vehicle === null || mark.who.includes(vehicle)));
   }
 
-  /** To the next mark, or the one before: of the kind that is wanted, and of the selected vehicle, if it has any. */
+  /** To the next mark that is wanted, or the one before. */
   seekMark(by: 1 | -1): void {
     if (!this.replay) return;
     const here = this.replay.time_s;
-    const vehicle = this.selected.value;
-    const wanted = this.marksWanted();
-    const own = vehicle === null ? [] : wanted.filter((mark) => mark.who.includes(vehicle));
-    const list = own.length > 0 ? own : wanted;
+    const list = this.marksWanted();
     const mark =
       by > 0 ? list.find((mark) => mark.t > here + 1e-9) : list.findLast((mark) => mark.t < here - 1e-9);
     if (!mark && !this.read.value) {
@@ -300,12 +302,14 @@ export class Run {
     }
     if (!mark) {
       const kind = this.markKind.value || "mark";
-      const whose = own.length > 0 ? ` of ${this.path(vehicle!)}` : "";
+      const vehicle = this.selected.value;
+      const whose = this.ownMarks.value && vehicle !== null ? ` of ${this.path(vehicle)}` : "";
       this.say(`No ${kind}${whose} ${by > 0 ? "after" : "before"} this time.`);
       return;
     }
     this.replay.play(false);
     this.seek(mark.t);
+    this.soughtMark.value = mark;
     const who = mark.who.map((vehicle) => this.path(vehicle)).join(", ");
     this.say([mark.kind, who, mark.text].filter((text) => text !== "").join(" · "));
   }

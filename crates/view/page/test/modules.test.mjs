@@ -280,6 +280,24 @@ test("a jump shows the nearest frame that is here until the right one comes", ()
   assert.ok(!player.waiting.value);
 });
 
+test("where everybody was before a jump is fetched for trails, and shown once", () => {
+  const { player, asked, answer } = replayed(1001, 0.05);
+  player.seek(42);
+  player.trace(10, 10 / 75);
+  answer();
+  assert.equal(player.advance(0).past, null, "what is looked at comes first");
+  answer();
+  const { from_s, to_s, step_s } = asked.at(-1);
+  assert.ok(Math.abs(from_s - 32) < 0.051 && Math.abs(to_s - 42) < 1e-9 && step_s > 0.1, JSON.stringify(asked.at(-1)));
+  answer();
+  const { past } = player.advance(1);
+  assert.ok(past.length > 50 && past.length < 90, String(past.length));
+  assert.ok(past[0].time <= 32 && Math.abs(past.at(-1).time - 42) < 1e-9);
+  assert.ok(past.every((frame, k) => k === 0 || frame.time > past[k - 1].time));
+  player.trace(0, 0);
+  assert.equal(player.advance(2).past, null, "without trails there is no past");
+});
+
 test("a playing replay goes as the wall clock does, and waits for frames that are not here", () => {
   const { player, asked, answer } = replayed(101, 0.1);
   player.plan();
@@ -391,7 +409,7 @@ test("what was asked for is shown at once, and what the program says wins", () =
   assert.equal(run.state.value.paused, false, "a run that has ended is not held");
 });
 
-test("a mark that is jumped to is of the kind that is wanted, and of the selected vehicle if it has any", () => {
+test("a mark that is jumped to is of the kind that is wanted, and of the selected vehicle if that was asked for", () => {
   const { run } = runOf("replay");
   const mark = (t, kind, who) => ({ t, kind, who, text: "" });
   run.hear({ type: "marks", list: [mark(1, "contact", [0]), mark(2, "log", [1]), mark(3, "contact", [1]), mark(4, "log", [0])], dropped: 0 });
@@ -404,6 +422,8 @@ test("a mark that is jumped to is of the kind that is wanted, and of the selecte
   assert.equal(jump(-1), 2);
   run.markKind.value = "contact";
   run.select(1);
+  assert.equal(jump(-1), 1, "whoever is selected");
+  run.ownMarks.value = true;
   assert.equal(jump(1), 3);
   assert.equal(jump(1), 3, "there is no other");
   assert.equal(run.notice.value.text, "No contact of bee-1 after this time.");

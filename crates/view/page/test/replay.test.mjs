@@ -118,6 +118,20 @@ test("jumps go to the marks", async () => {
   await row.click();
   await until(page, (t) => window.simbeeotic.time_s() > t, first);
   await until(page, () => window.simbeeotic.place().select !== undefined);
+  // Who is selected matters only where it was said so.
+  await page.keyboard.press("Home");
+  await near(0);
+  await page.keyboard.press("]");
+  await near(first);
+  await page.locator("#mark-own").check();
+  const own = await page.locator("#panel-marks .row").count();
+  assert.equal(await page.locator("#panel-marks .row.mine").count(), own);
+  await page.keyboard.press("End");
+  await near(20);
+  await page.keyboard.press("[");
+  await until(page, () => window.simbeeotic.time_s() < 20);
+  assert.equal(await page.locator("#panel-marks .row.mine[aria-current=true]").count(), 1, "the list is where the jump went");
+  await page.locator("#mark-own").uncheck();
   await page.keyboard.press("v");
 });
 
@@ -259,6 +273,19 @@ test("links and wind have a scale while they are shown", async () => {
     await page.keyboard.press(key);
     await scale.waitFor();
   }
+});
+
+test("a link to a time shows the trails that lead there", async () => {
+  const other = await open(browser, `${run.url}#t=12&layers=trails&camera=34,-40,26,0,0,4`);
+  await until(other, () => window.simbeeotic.frame()?.time === 12);
+  await rest(other);
+  const trails = await saved(other);
+  await other.keyboard.press("2");
+  await rest(other);
+  const { mean } = await difference(other, trails, await saved(other));
+  assert.ok(mean > 0.1, `without trails the picture is another: ${mean}`);
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
 });
 
 test("the help sheet shows the keys, and goes again", async () => {

@@ -359,13 +359,15 @@ impl Page for LivePage {
         }
         let free = self.on_the_way.len() < ON_THE_WAY;
         let mut beside = Beside::default();
-        let mut untold = None;
         let (look, time_s, ended): (Option<Arc<Look>>, f64, Option<String>) = {
             let shared = Arc::clone(&self.shared);
             let now = shared.now();
             let (time_s, ended) = (now.look.columns.time_s, now.ended.clone());
-            // Nobody takes another look after the end: the last one is shown in other colours.
-            let again = self.recolour && ended.is_some();
+            // Nobody takes another look after the end, nor of a run that stands in colours that another page has
+            // chosen: the last one is shown in them.
+            let by = self.colour.as_ref();
+            let has = by.is_none_or(|by| now.look.colours.iter().any(|(name, _)| name == by));
+            let again = self.recolour && (has || ended.is_some());
             let new = now.number > self.look || again;
             let look = (new && free).then(|| Arc::clone(&now.look));
             if look.is_some() {
@@ -377,25 +379,12 @@ impl Page for LivePage {
             }
             if let Some(vehicle) = self.vehicle {
                 let details = now.details.get(&vehicle);
-                if details.is_none() && ended.is_some() && self.details == 0 {
-                    self.details = u64::MAX;
-                    untold = Some(vehicle);
-                }
                 let details = details.and_then(|details| details.since(&mut self.details));
                 beside.whole.extend(details);
             }
             (look, time_s, ended)
         };
         beside.say(out);
-        if let Some(vehicle) = untold {
-            Self::error(
-                out,
-                format!(
-                    "the run has ended, and in a swarm of this size the details of vehicle {vehicle} were not kept: \
-                     a recording of the run has them"
-                ),
-            );
-        }
         let over = ended.is_some();
         self.say_state(time_s, ended, out);
         let (number, counts) = {

@@ -11,7 +11,7 @@ use super::statistics::Statistics;
 use super::traffic::Traffic;
 use crate::series::Series;
 use crate::server::{Options, Server, ServerError, Visitors, address_of};
-use crate::wire::{Packet, Said};
+use crate::wire::Said;
 use simbeeotic_model::kernel::pace::Control;
 use simbeeotic_model::kernel::{ModelId, Progress, SimTime};
 use simbeeotic_model::units::Time;
@@ -28,9 +28,6 @@ use std::time::Duration;
 /// Wall time between two tellings of details, and of the wind.
 const DETAILS: Duration = Duration::from_millis(250);
 const WIND: Duration = Duration::from_secs(1);
-
-/// Swarms up to this size have the details of all told at the end.
-const DETAILS_KEPT: usize = 2000;
 
 /// How long the last frame is tried for while pages are at the locks.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -67,6 +64,8 @@ pub struct Viewer {
     winded: Option<Duration>,
     /// Whether there was no wind at all.
     calm: bool,
+    /// The run has ended: what pages ask for is told of its end.
+    over: bool,
 }
 
 /// Parameters of [`Viewer`].
@@ -161,6 +160,7 @@ impl FromParams for Viewer {
             detailed: None,
             winded: None,
             calm: false,
+            over: false,
         })
     }
 }
@@ -349,7 +349,9 @@ impl Viewer {
         }
         let now_ns = view.now().nanos();
         let t = view.now().as_secs_f64();
-        let same = held && self.framed_ns == Some(now_ns) && colours.is_empty();
+        let known = &now.look.colours;
+        // Once more only in other colours.
+        let same = held && self.framed_ns == Some(now_ns) && alike(&colours, known);
         self.framed = Some(wall);
         if let Some(traffic) = &mut self.traffic {
             for packet in traffic.ended(now_ns) {
@@ -396,19 +398,25 @@ impl Viewer {
             .collect()
     }
 
-    /// What is told of vehicles from the end on: of all, or in a large swarm of those that are selected now.
-    fn last_details(&mut self, view: &View<'_>, packets: &[Arc<Packet>]) -> Vec<(u32, Said)> {
-        if self.cast.bodies.len() <= DETAILS_KEPT {
-            for (vehicle, id) in (0..).zip(&self.cast.bodies) {
-                let selected = self.selected.entry(vehicle);
-                selected.or_insert_with(|| Selected::new(view, *id));
-            }
-            if let Some(traffic) = &mut self.traffic {
-                let known = packets.iter().rev().map(|packet| &**packet);
-                traffic.select(self.selected.keys().copied(), known);
-            }
+    /// After the end: tells of whom a page has selected since.
+    fn answer(&mut self, view: &View<'_>) {
+        let version = self.shared.version.load(Ordering::Acquire);
+        if version == self.version {
+            return;
         }
-        self.details(view, self.pace.wall())
+        let watched = self.shared.pages.load(Ordering::Acquire) > 0;
+        self.heed_wishes(view, version, watched);
+        if self.detailed.is_some() {
+            return;
+        }
+        let shared = Arc::clone(&self.shared);
+        let told = self.details(view, self.pace.wall());
+        let mut now = shared.now();
+        for (vehicle, said) in told {
+            now.details.entry(vehicle).or_default().set(said);
+        }
+        drop(now);
+        shared.ring();
     }
 
     /// The numbers that pages want vehicles coloured by; `None`: somebody else is at them.
@@ -424,6 +432,18 @@ impl Viewer {
         };
         Some(names.into_iter().filter_map(column).collect())
     }
+}
+
+/// Whether these are the same numbers of the same names.
+fn alike(some: &[(String, Arc<[f32]>)], others: &[(String, Arc<[f32]>)]) -> bool {
+    some.len() == others.len()
+        && some
+            .iter()
+            .zip(others)
+            .all(|((name, values), (other, others))| {
+                let same = |(x, y): (&f32, &f32)| x.to_bits() == y.to_bits();
+                name == other && values.iter().zip(others.iter()).all(same)
+            })
 }
 
 impl Component for Viewer {
@@ -475,7 +495,10 @@ impl Component for Viewer {
     }
 
     fn held(&mut self, view: &View<'_>) -> Result<(), ComponentError> {
-        self.look(view, true);
+        match self.over {
+            true => self.answer(view),
+            false => self.look(view, true),
+        }
         Ok(())
     }
 
@@ -507,8 +530,8 @@ impl Component for Viewer {
             }
             std::thread::sleep(Duration::from_millis(1));
         }
-        let packets = shared.now().packets.iter().cloned().collect::<Vec<_>>();
-        let details = self.last_details(view, &packets);
+        let details = self.details(view, self.pace.wall());
+        self.over = true;
         let mut now = shared.now();
         for (vehicle, said) in details {
             now.details.entry(vehicle).or_default().set(said);

@@ -259,8 +259,8 @@ impl Visitors {
     }
 
     /// Waits until there was a page and none is left, or until `enough` says so; a page that is loaded
-    /// anew is waited for.
-    pub fn wait_for_the_last(&self, enough: impl Fn() -> bool) {
+    /// anew is waited for. `enough` is asked ten times a second.
+    pub fn wait_for_the_last(&self, mut enough: impl FnMut() -> bool) {
         const LOOK: Duration = Duration::from_millis(100);
         const RELOAD: u32 = 20;
         let mut alone = 0;

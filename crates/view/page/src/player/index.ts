@@ -11,6 +11,8 @@ export interface Moment {
   t_s: number;
   /** Time did not flow to here. */
   jumped: boolean;
+  /** Where everybody was before, in the order of time, where trails are to be drawn anew. */
+  past: Frame[] | null;
   /** Packets on the air since the moment before. */
   packets: Packet[];
 }

@@ -78,7 +78,7 @@ export class LivePlayer implements Player {
     const b = queue[1] ?? a;
     this.drawn = shown_s >= newest.time;
     const f = b.time > a.time ? Math.min(1, (shown_s - a.time) / (b.time - a.time)) : 0;
-    const moment = { a, b, f, t_s: shown_s, jumped: this.jumped, packets: this.packetsUntil(this.drawn ? Infinity : shown_s) };
+    const moment = { a, b, f, t_s: shown_s, jumped: this.jumped, past: null, packets: this.packetsUntil(this.drawn ? Infinity : shown_s) };
     this.jumped = false;
     // Only what was drawn is answered: a page in the background is sent no more.
     for (const time_s of this.toThank) this.send({ type: "got", time_s });

@@ -15,7 +15,7 @@ export interface Span {
 
 interface Fetch {
   id: number;
-  why: "now" | "ahead" | "overview";
+  why: "now" | "ahead" | "overview" | "behind";
   from_s: number;
   to_s: number;
   step_s: number;
@@ -58,6 +58,11 @@ export class ReplayPlayer implements Player {
   private overview = false;
   /** Packets and links of this span are here. */
   private air = { from_s: Infinity, to_s: -Infinity };
+  /** How much of the past is shown, by trails, s, and the time between two frames of it. */
+  private past = { seconds: 0, step_s: 0 };
+  /** It is shown as it was; the last of it that was fetched. */
+  private traced = false;
+  private behind = "";
   private packets: Packet[] = [];
   private packetsTo_s: number;
 
@@ -103,9 +108,18 @@ export class ReplayPlayer implements Player {
   seek(t_s: number): void {
     const to_s = Math.min(Math.max(t_s, this.span.from_s), this.span.to_s);
     this.last_ms = null;
+    this.traced &&= !this.playing.value && to_s === this.t_s;
     this.jumped ||= to_s < this.t_s || to_s > this.t_s + 2 * this.span.period_s;
     this.t_s = to_s;
     this.packetsTo_s = to_s - (this.jumped ? this.span.period_s : 0);
+    this.dirty = true;
+    this.plan();
+  }
+
+  /** Shows so many seconds before the time that is shown, from now on and now once more. */
+  trace(seconds: number, step_s: number): void {
+    this.past = { seconds, step_s: step_s > 1.5 * this.span.period_s ? step_s : 0 };
+    this.traced = false;
     this.dirty = true;
     this.plan();
   }
@@ -132,6 +146,7 @@ export class ReplayPlayer implements Player {
     this.cache.clear();
     this.fetch = null;
     this.overview = false;
+    this.behind = "";
     this.dirty = true;
     this.plan();
   }
@@ -166,6 +181,7 @@ export class ReplayPlayer implements Player {
     if (this.fetch?.id !== id) return;
     if (this.fetch.why === "overview") this.overview = true;
     else this.airIsHere(this.fetch);
+    if (this.fetch.why === "behind") this.behind = nameOf(this.fetch);
     this.barren = this.brought > 0 ? "" : nameOf(this.fetch);
     this.fetch = null;
     this.dirty = true;
@@ -176,6 +192,7 @@ export class ReplayPlayer implements Player {
   failed(): void {
     if (!this.fetch) return;
     if (this.fetch.why === "overview") this.overview = true;
+    if (this.fetch.why === "behind") this.behind = nameOf(this.fetch);
     this.barren = nameOf(this.fetch);
     this.fetch = null;
     this.dirty = true;
@@ -197,7 +214,7 @@ export class ReplayPlayer implements Player {
     this.plan();
     if (!pair) return null;
     this.shown = pair;
-    const moment = { ...pair, t_s: this.t_s, jumped: this.jumped, packets: this.packetsUntil(this.t_s) };
+    const moment = { ...pair, t_s: this.t_s, jumped: this.jumped, past: pair.exact ? this.pastToShow() : null, packets: this.packetsUntil(this.t_s) };
     this.jumped = false;
     return moment;
   }
@@ -266,6 +283,39 @@ export class ReplayPlayer implements Player {
     return { a: nearest, b: nearest, f: 0, exact: false };
   }
 
+  /** The frames of trails, once after a jump; what plays leaves its own. */
+  private pastToShow(): Frame[] | null {
+    if (this.traced || this.playing.value || this.past.seconds === 0 || this.wantBehind()) return null;
+    this.traced = true;
+    const first = this.cache.tickAt(this.t_s - this.past.seconds);
+    const last = this.cache.tickAt(this.t_s);
+    const frames: Frame[] = [];
+    for (let tick = first; tick <= last; tick += 1) {
+      const frame = this.cache.get(tick);
+      if (frame) frames.push(frame);
+    }
+    return frames;
+  }
+
+  /** The past that trails need, if it is not here and has not been asked for. */
+  private wantBehind(): Omit<Fetch, "id" | "sent_ms"> | null {
+    const { seconds, step_s } = this.past;
+    if (this.traced || seconds === 0) return null;
+    const ticks = this.span.ticks_s;
+    const last = this.cache.tickAt(this.t_s);
+    let at = this.cache.tickAt(this.t_s - seconds);
+    const want = { why: "behind" as const, from_s: ticks[at]!, to_s: ticks[last]!, step_s };
+    if (at === last || nameOf(want) === this.behind) return null;
+    const near = (tick: number) => tick >= 0 && (tick - at <= 1 || ticks[tick]! - ticks[at]! <= 2 * step_s);
+    let whole = this.cache.get(at) !== undefined;
+    while (whole && at < last) {
+      const next = this.cache.after(at);
+      whole = near(next);
+      at = next;
+    }
+    return whole ? null : want;
+  }
+
   private packetsUntil(t_s: number): Packet[] {
     const from_s = this.packetsTo_s;
     this.packetsTo_s = t_s;
@@ -317,6 +367,8 @@ export class ReplayPlayer implements Player {
       // Who talks to whom is told of spans of time: of that before the one that is shown.
       const from_s = Math.max(this.t_s - AIR_S, this.span.from_s);
       const to_s = ticks[Math.min(tick + 5, ticks.length - 1)]!;
+      const behind = this.wantBehind();
+      if (behind) return behind;
       const here = this.air.from_s <= from_s + 1e-9 && this.air.to_s >= this.t_s - 1e-9;
       if (!here && to_s > from_s) return { why: "ahead", from_s, to_s, step_s: 0 };
     }

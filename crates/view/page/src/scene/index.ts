@@ -8,6 +8,7 @@ import type { Details, Frame, Hello, Link, Packet } from "../wire";
 
 export { createScene } from "./scene";
 export type { Caption } from "./caption";
+export { trailSeconds, trailStep } from "./trails";
 
 /** `battery` and `value` are the colour values of the frames, `battery` from 0 to 1; `speed` is of their velocities. */
 export type ColourBy = "kind" | "battery" | "speed" | "value";
@@ -79,6 +80,8 @@ export interface SceneView {
   show(a: Frame, b: Frame, f: number): void;
   /** Forgets trails: time has jumped. Going back in time does so by itself. */
   jumped(): void;
+  /** Trails are those of these frames, in the order of time, up to the one that is shown. */
+  retrace(past: Frame[]): void;
   setDark(dark: boolean): void;
   setLayers(layers: Layers): void;
   /** `title` and `unit` are for the legend. */

@@ -17,6 +17,9 @@ const SIGNAL_DARK = table(SCALES.signalDark);
 /** How long a pulse is under way, wall s; the second where time runs slowly. */
 const PULSE_S = 0.35;
 const SLOW_PULSE_S = 1;
+/** It lives so many times as long as a picture takes, up to this: one that is never drawn is none. */
+const PULSE_PICTURES = 4.5;
+const LONGEST_PULSE_S = 4;
 const PULSE = "#d9006c";
 const PULSE_DARK = "#ffd166";
 const MOST_PULSES = 4096;
@@ -86,9 +89,10 @@ export class Radio {
     this.links.flush();
   }
 
-  /** `now`: wall s. */
-  addPackets(list: Packet[], count: number, now: number, speed: number): void {
-    const lasts = speed > 0 ? clamp(PULSE_S / speed, PULSE_S, SLOW_PULSE_S) : SLOW_PULSE_S;
+  /** `now`: wall s; `picture_s`: how long a picture takes. */
+  addPackets(list: Packet[], count: number, now: number, speed: number, picture_s: number): void {
+    const usual = speed > 0 ? clamp(PULSE_S / speed, PULSE_S, SLOW_PULSE_S) : SLOW_PULSE_S;
+    const lasts = Math.max(usual, Math.min(PULSE_PICTURES * picture_s, LONGEST_PULSE_S));
     let left = MOST_AT_ONCE;
     const each = Math.max(1, Math.min(MOST_RECEIVERS, Math.floor(left / Math.max(list.length, 1))));
     const rgb = colourOf(this.dark ? PULSE_DARK : PULSE);

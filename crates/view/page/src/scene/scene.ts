@@ -191,6 +191,11 @@ class Scene implements SceneView {
     this.changed();
   }
 
+  retrace(past: Frame[]): void {
+    this.trails.retrace(past);
+    this.changed();
+  }
+
   setDark(dark: boolean): void {
     this.dark = dark;
     setTheme(this.shared, dark);
@@ -271,7 +276,7 @@ class Scene implements SceneView {
 
   addPackets(list: Packet[], speed: number): void {
     if (!this.layers.packets || list.length === 0) return;
-    this.radio.addPackets(list, this.frames.count, performance.now() / 1000, speed);
+    this.radio.addPackets(list, this.frames.count, performance.now() / 1000, speed, this.pace.ms / 1000);
     this.changed();
   }
 

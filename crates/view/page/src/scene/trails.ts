@@ -14,6 +14,16 @@ const MOST_POINTS = 75;
 /** Of a trail where it is newest, 0 to 255. */
 const OPACITY = 215;
 
+/** How long trails are where frames are so far apart, virtual s. */
+export function trailSeconds(period_s: number): number {
+  return Math.max(SECONDS, LEAST_POINTS * period_s);
+}
+
+/** The shortest time between two points of a trail that is so long, s. */
+export function trailStep(seconds: number): number {
+  return seconds / MOST_POINTS;
+}
+
 export class Trails {
   readonly lines: Lines;
   /** From the last point of each trail to where its vehicle is now. */
@@ -70,13 +80,19 @@ export class Trails {
     this.ownTime = -1;
   }
 
+  /** All of them anew: where everybody has been, up to now. */
+  retrace(past: Frame[]): void {
+    this.clear();
+    for (const frame of past) this.passed(frame);
+  }
+
   /** After frames have changed: `a` has been passed. */
   passed(a: Frame): void {
     if (a.time < this.lastTime) this.clear();
     if (a.time === this.lastTime) return;
     const first = Number.isNaN(this.lastTime);
     if (!first) this.period = a.time - this.lastTime;
-    if (!first && this.period < this.seconds() / MOST_POINTS) return;
+    if (!first && this.period < trailStep(this.seconds())) return;
     this.lastTime = a.time;
     const { who, points, times, spot } = this;
     let start = -1;
@@ -132,7 +148,7 @@ export class Trails {
   }
 
   private seconds(): number {
-    return Math.max(SECONDS, LEAST_POINTS * this.period);
+    return trailSeconds(this.period);
   }
 
   private rgba(i: number, opacity: number): void {

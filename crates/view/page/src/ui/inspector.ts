@@ -31,10 +31,6 @@ export function inspector(run: Run): HTMLElement {
   const motion = motionTable();
   const body = h("div", { class: "sections" });
   const hint = h("p", { class: "empty faint", text: "Waiting for its details …" });
-  run.state.now((state) => {
-    // A run that has ended has told what it tells.
-    hint.textContent = state?.ended ? "The run has ended, and its details were not told. Its recording, if there is one, tells them: simbeeotic view RECORDING." : "Waiting for its details …";
-  });
   let sections: Section[] = [];
   let shape = "";
 
@@ -42,7 +38,10 @@ export function inspector(run: Run): HTMLElement {
     const vehicle = run.selected.value;
     if (vehicle !== null && run.player.frame) motion.update(run.player.frame, vehicle);
   };
-  run.time.on(throttled(100, move));
+  const moveSoon = throttled(100, move);
+  run.time.on(moveSoon);
+  // What stands is told of, too: a link may select somebody before there is a frame.
+  run.details.on(moveSoon);
   run.selected.now((vehicle) => {
     if (vehicle === null) return;
     const { kinds, roles } = run.hello.vehicles;

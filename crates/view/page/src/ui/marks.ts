@@ -29,7 +29,7 @@ export function marksList(run: Run): HTMLElement {
     dot.style.background = `var(${markColour(mark.kind)})`;
     return h(
       "button",
-      { type: "button", class: mine ? "row two mine" : "row two", on: { click: () => go(mark) } },
+      { type: "button", class: mine ? "row two mine" : "row two", "aria-current": mark === run.soughtMark.value ? "true" : undefined, on: { click: () => go(mark) } },
       h("span", { class: "first" },
         dot,
         h("span", { class: "cut", text: names.join(", ") || mark.kind }),
@@ -38,6 +38,7 @@ export function marksList(run: Run): HTMLElement {
     );
   });
   const go = (mark: Mark) => {
+    run.soughtMark.value = mark;
     if (mark.who.length > 0 && (run.selected.value === null || !mark.who.includes(run.selected.value))) {
       run.select(mark.who[0]!);
     }
@@ -61,7 +62,7 @@ export function marksList(run: Run): HTMLElement {
     kind.value = run.markKind.value;
     const vehicle = run.selected.value;
     show(ownRow, vehicle !== null);
-    listed = run.marksWanted().filter((mark) => !own.checked || vehicle === null || mark.who.includes(vehicle));
+    listed = run.marksWanted();
     // The newest of a live run are on top, where one looks; a recording is read from its beginning.
     if (!run.replay) listed = listed.toReversed();
     none.textContent =
@@ -76,7 +77,14 @@ export function marksList(run: Run): HTMLElement {
   const fillSoon = throttled(250, fill);
   kind.addEventListener("change", () => (run.markKind.value = kind.value));
   run.markKind.on(fill);
-  own.addEventListener("change", fill);
+  own.addEventListener("change", () => (run.ownMarks.value = own.checked));
+  run.ownMarks.on(fill);
+  // Where a jump went.
+  run.soughtMark.on((mark) => {
+    const at = mark ? listed.indexOf(mark) : -1;
+    if (at >= 0) list.reveal(at);
+    list.update(listed.length);
+  });
   run.marked.on(fillSoon);
   run.read.on(fill);
   run.selected.on(fill);

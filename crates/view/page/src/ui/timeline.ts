@@ -44,6 +44,7 @@ export function timeLine(run: Run, replay: ReplayPlayer, settings: Settings): HT
   new ResizeObserver(drawSoon).observe(line);
   run.marked.on(drawSoon);
   run.markKind.on(drawSoon);
+  run.ownMarks.on(drawSoon);
   run.selected.on(drawSoon);
   run.time.now((t_s) => {
     line.setAttribute("aria-valuenow", t_s.toFixed(3));
