@@ -115,6 +115,7 @@ impl Statistics {
                 received: series.statistic("packets/received", "1/s"),
                 delivery: series.statistic("packets/delivery", "1"),
                 last: Counters::default(),
+                lately: Delivered::default(),
             }),
             ..Self::default()
         };
