@@ -235,6 +235,7 @@ export class Page {
     }
     if (moment.packets.length > 0) scene?.addPackets(moment.packets, this.speed());
     run.time.value = moment.t_s;
+    run.begun.value = true;
     if (run.replay) {
       run.links.value = run.linksAt(moment.t_s);
       run.wind.value = run.windAt(moment.t_s);

@@ -74,6 +74,8 @@ export class Run {
 
   /** Virtual time that is shown, s. */
   readonly time = new Signal(0);
+  /** There is something to see. */
+  readonly begun = new Signal(false);
   readonly selected = new Signal<number | null>(null);
   readonly following = new Signal(false);
   readonly layers = new Signal<Layers>(usualLayers());

@@ -40,8 +40,8 @@ export function inspector(run: Run): HTMLElement {
   };
   const moveSoon = throttled(100, move);
   run.time.on(moveSoon);
-  // What stands is told of, too: a link may select somebody before there is a frame.
-  run.details.on(moveSoon);
+  // A link may select somebody before there is a frame.
+  run.begun.on(move);
   run.selected.now((vehicle) => {
     if (vehicle === null) return;
     const { kinds, roles } = run.hello.vehicles;
