@@ -172,19 +172,10 @@ fn failed(error: ExportError) -> Failure {
 }
 
 fn selection(options: &ExportOptions) -> Result<Selection, Failure> {
-    let nanos = |option: &str, text: &Option<String>, or: u64| match text {
-        None => Ok(or),
-        Some(text) => {
-            let time = input::span(option, text)?;
-            SimTime::from_time(time)
-                .map(SimTime::nanos)
-                .map_err(|e| Failure::input(format!("{option}: {e}")))
-        }
-    };
     let every = NonZeroU64::new(options.every)
         .ok_or_else(|| Failure::input("--every 0: it must be one or more"))?;
-    let from = nanos("--from", &options.from, 0)?;
-    let to = nanos("--to", &options.to, u64::MAX)?;
+    let from = input::nanos("--from", options.from.as_deref())?.unwrap_or(0);
+    let to = input::nanos("--to", options.to.as_deref())?.unwrap_or(u64::MAX);
     input::in_order(from, to, true)?;
     Ok(Selection {
         every,

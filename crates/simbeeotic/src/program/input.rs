@@ -83,6 +83,16 @@ pub(super) fn span(option: &str, text: &str) -> Result<Time, Failure> {
         .map_err(|e| Failure::input(format!("{option}: {e}")))
 }
 
+/// A point of time in an argument, ns.
+pub(super) fn nanos(option: &str, text: Option<&str>) -> Result<Option<u64>, Failure> {
+    let read = |text| {
+        SimTime::from_time(span(option, text)?)
+            .map(SimTime::nanos)
+            .map_err(|e| Failure::input(format!("{option}: {e}")))
+    };
+    text.map(read).transpose()
+}
+
 /// A part of a recording: it must not begin after its end, which is that of the recording unless `said`.
 pub(super) fn in_order(from_ns: u64, to_ns: u64, said: bool) -> Result<(), Failure> {
     if from_ns <= to_ns {

@@ -24,6 +24,7 @@ mod picture;
 mod plot;
 mod render;
 mod render_arguments;
+mod render_words;
 mod run;
 mod shelf;
 mod show;

@@ -1,13 +1,13 @@
-//! `render`: pictures and films of a recording.
+//! `render`: pictures and films of a recording. What the words of its arguments mean stands in `render_words`.
 
 use super::render_arguments::RenderOptions;
-use super::{Failure, input, picture, remark, run, same_file, show};
+use super::render_words as words;
+use super::{Failure, input, plot, remark, run, same_file, show};
 use simbeeotic_kernel::SimTime;
+use simbeeotic_record::stage::Prop;
 use simbeeotic_record::{Recording, Stage, publish};
-use simbeeotic_units::{Angle, AngularRate, did_you_mean};
 use simbeeotic_view::render::{
-    Choices, ColourBy, DRAWN_MAX, Film, Fit, Frames, Gif, Mp4, Picture, RenderError, Side, View,
-    write_png,
+    Choices, CutOpen, Film, Frames, Gif, Mp4, Picture, RenderError, write_png,
 };
 use std::fs::File;
 use std::io::BufWriter;
@@ -37,7 +37,7 @@ pub(super) fn render(options: &RenderOptions) -> Result<(), Failure> {
             job.target.display()
         )));
     }
-    let stage = stage(&recording)?;
+    let stage = stage(&recording, &options.picture.hide)?;
     match options.threads {
         None => job.draw(options, &recording, &stage),
         Some(threads) => {
@@ -48,13 +48,17 @@ pub(super) fn render(options: &RenderOptions) -> Result<(), Failure> {
     }
 }
 
-/// What stands in the recorded world; in older recordings, an empty plane.
-fn stage(recording: &Recording) -> Result<Stage, Failure> {
+/// What stands in the recorded world, without what is hidden by its label or kind; in older recordings, an empty plane.
+fn stage(recording: &Recording, hide: &[String]) -> Result<Stage, Failure> {
     let stage = recording.stage().map_err(Failure::run)?;
-    Ok(stage.unwrap_or_else(|| Stage {
+    let mut stage = stage.unwrap_or_else(|| Stage {
         plane: true,
         ..Stage::default()
-    }))
+    });
+    plot::names::hidden(&[&stage], hide)?;
+    let hidden = |prop: &Prop| hide.iter().any(|h| *h == prop.label || *h == prop.kind);
+    stage.props.retain(|prop| !hidden(prop));
+    Ok(stage)
 }
 
 /// What a film becomes.
@@ -80,72 +84,25 @@ struct Job<'a> {
 impl<'a> Job<'a> {
     fn read(options: &'a RenderOptions) -> Result<Self, Failure> {
         let (form, target) = target(options)?;
-        let positive = |option: &str, value: f64, most: f64| match value {
-            v if v > 0.0 && v <= most => Ok(v),
-            v => Err(Failure::input(format!(
-                "{option} {v}: above 0, at most {most}"
-            ))),
-        };
-        let speed = positive("--speed", options.speed, 1e6)?;
         let rate_max = if form == Form::Gif { 50.0 } else { 240.0 };
-        let rate_hz = positive("--frames-per-second", options.frames_per_second, rate_max)?;
-        let trail_s = match &options.trails {
-            Some(text) => input::time("--trails", text)?.get(),
-            None => 0.0,
-        };
-        let size = size(&options.size)?;
-        // Finer as long as that is not too much for the memory.
-        let pixels = u64::from(size[0]) * u64::from(size[1]);
-        let own = match form {
-            Form::Still if 4 * pixels <= DRAWN_MAX => 2,
-            _ => 1,
-        };
-        let fineness = options.fineness.unwrap_or(own);
-        if !(1..=4).contains(&fineness) {
-            return Err(Failure::input(format!("--fineness {fineness}: 1 to 4")));
-        }
-        if form == Form::Mp4 && size.iter().any(|side| !side.is_multiple_of(2)) {
+        let rate = options.film.frames_per_second;
+        let rate_hz = words::positive("--frames-per-second", rate, rate_max)?;
+        let choices = words::choices(options, form == Form::Still)?;
+        if form == Form::Mp4 && choices.size.iter().any(|side| !side.is_multiple_of(2)) {
             return Err(Failure::input(format!(
                 "--size {}: an .mp4 has an even number of pixels, both ways",
-                options.size
+                options.picture.size
             )));
         }
-        let choices = Choices {
-            size,
-            fineness,
-            dark: options.dark && !options.light,
-            view: view(options)?,
-            fit: fit(&options.fit)?,
-            models: options.models.clone(),
-            follow: options.follow.clone(),
-            zoom: positive("--zoom", options.zoom, 1e4)?,
-            field_of_view_rad: angle_within(
-                "--field-of-view",
-                &options.field_of_view,
-                [1.0, 150.0],
-            )?,
-            colour_by: ColourBy::named(&options.colour_by),
-            trail_s,
-            labels: options.labels,
-            links: options.links,
-            packets: options.packets,
-            beams: options.beams.clone(),
-            grid: !options.no_grid,
-            captions: !options.plain,
-            speed,
-        };
-        let nanos = |option: &str, text: &Option<String>| match text {
-            None => Ok(None),
-            Some(text) => SimTime::from_time(input::span(option, text)?)
-                .map(|time| Some(time.nanos()))
-                .map_err(|e| Failure::input(format!("{option}: {e}"))),
-        };
         let (from_ns, to_ns) = match form {
             Form::Still => {
-                let at = nanos("--at", &options.at)?;
+                let at = input::nanos("--at", options.at.as_deref())?;
                 (at, at)
             }
-            _ => (nanos("--from", &options.from)?, nanos("--to", &options.to)?),
+            _ => (
+                input::nanos("--from", options.film.from.as_deref())?,
+                input::nanos("--to", options.film.to.as_deref())?,
+            ),
         };
         Ok(Self {
             form,
@@ -178,6 +135,11 @@ impl<'a> Job<'a> {
         input::in_order(from_ns, to_ns, self.to_ns.is_some())?;
         let film = Film::new(recording, stage, self.choices.clone(), from_ns..=to_ns);
         let mut film = film.map_err(failed)?;
+        if film.is_cut_open() && self.choices.cut_open == CutOpen::Auto && !options.quiet {
+            remark(
+                "note: the swarm is under a roof, so the world is shown cut open; --cut-open never shows it whole",
+            );
+        }
         let times = self.times(from_ns, to_ns)?;
         let pictures = match self.form {
             Form::Still => {
@@ -228,18 +190,29 @@ impl<'a> Job<'a> {
         film: &mut Film<'_>,
         times: &[u64],
     ) -> Result<usize, Failure> {
+        let samples = match self.form {
+            Form::Gif => self.samples(film, times)?,
+            _ => Vec::new(),
+        };
         let interrupted = interrupts();
         let bar = (!options.quiet).then(|| show::Steps::start(times.len() as u64, "pictures"));
-        let mut each = |add: &mut dyn FnMut(&Picture) -> Result<(), RenderError>| {
-            for (number, time_ns) in times.iter().enumerate() {
-                let added = film.picture(*time_ns).and_then(|picture| add(&picture));
+        // While one picture is written the next one is drawn; no more than two are there at a time.
+        let mut each = |add: &mut Add<'_>| {
+            let mut next = Some(film.picture(times[0]).map_err(failed)?);
+            let mut number = 0;
+            while let Some(picture) = next {
+                number += 1;
+                let after = times.get(number);
+                let draw = || after.map(|time_ns| film.picture(*time_ns)).transpose();
+                let (added, drawn) = rayon::join(|| add(&picture), draw);
                 // Ctrl-C reaches ffmpeg too.
                 if interrupted.load(Ordering::Relaxed) {
                     return Err(Failure::interrupted());
                 }
                 added.map_err(failed)?;
+                next = drawn.map_err(failed)?;
                 if let Some(bar) = &bar {
-                    bar.at(number as u64 + 1);
+                    bar.at(number as u64);
                 }
             }
             Ok(())
@@ -257,21 +230,11 @@ impl<'a> Job<'a> {
                 mp4.finish().map_err(failed)?;
             }
             Form::Gif => {
-                let samples = self.samples(film, times)?;
                 publish(self.target, |file| -> Result<(), Unwritten> {
                     let out = BufWriter::new(file);
                     let mut gif = Gif::<BufWriter<&File>>::new(out, &samples, self.rate_hz)
                         .map_err(failed)?;
-                    for (number, time_ns) in times.iter().enumerate() {
-                        let picture = film.picture(*time_ns).map_err(failed)?;
-                        if interrupted.load(Ordering::Relaxed) {
-                            return Err(Failure::interrupted().into());
-                        }
-                        gif.add(&picture).map_err(failed)?;
-                        if let Some(bar) = &bar {
-                            bar.at(number as u64 + 1);
-                        }
-                    }
+                    each(&mut |picture| gif.add(picture))?;
                     let out = gif.finish().map_err(failed)?;
                     let flushed = out
                         .into_inner()
@@ -299,6 +262,9 @@ impl<'a> Job<'a> {
             .collect()
     }
 }
+
+/// Puts the next picture into a film.
+type Add<'a> = dyn FnMut(&Picture) -> Result<(), RenderError> + Send + 'a;
 
 /// Why a file was not published.
 enum Unwritten {
@@ -348,7 +314,11 @@ fn target(options: &RenderOptions) -> Result<(Form, &Path), Failure> {
     let (option, path) = match (&options.output, &options.video) {
         (Some(path), _) => ("--output", path.as_path()),
         (None, Some(path)) => ("--video", path.as_path()),
-        (None, None) => return Err(Failure::input("--output FILE.png, or --video FILE")),
+        (None, None) => {
+            return Err(Failure::input(
+                "no file to write is given: --output FILE.png for a picture, --video FILE for a film",
+            ));
+        }
     };
     let shown = path.display();
     let folder = path
@@ -388,97 +358,4 @@ fn is_numbered(path: &Path) -> bool {
         part.trim_start_matches(|digit: char| digit.is_ascii_digit())
             .starts_with('d')
     })
-}
-
-fn size(text: &str) -> Result<[u32; 2], Failure> {
-    let sides = text.split_once('x');
-    let sides = sides.and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    match sides {
-        Some(sides) if sides.iter().all(|side| (16..=8192).contains(side)) => Ok(sides),
-        _ => Err(Failure::input(format!(
-            "--size {text}: width and height in pixels, 16 to 8192, such as 1280x720"
-        ))),
-    }
-}
-
-const VIEWS: [&str; 6] = ["top", "north", "south", "east", "west", "orbit"];
-
-fn view(options: &RenderOptions) -> Result<View, Failure> {
-    if let Some(eye) = &options.eye {
-        let eye_m = picture::place("--eye", eye)?;
-        let at = options.look_at.as_deref();
-        let at_m = at
-            .map(|text| picture::place("--look-at", text))
-            .transpose()?;
-        if at_m.is_some_and(|at| (at - eye_m).length() < 1e-6) {
-            return Err(Failure::input(format!(
-                "--eye and --look-at are the same place, {eye_m}: there is no direction between them"
-            )));
-        }
-        return Ok(View::From { eye_m, at_m });
-    }
-    let side = match options.view.as_str() {
-        "top" => Side::Top,
-        "north" => Side::North,
-        "south" => Side::South,
-        "east" => Side::East,
-        "west" => Side::West,
-        "orbit" => {
-            let or = |text: &Option<String>, or: &str| text.clone().unwrap_or(or.to_owned());
-            let bearing = or(&options.bearing, "220 deg");
-            let elevation = or(&options.elevation, "30 deg");
-            let turn = or(&options.turn, "0 deg/s");
-            let turn: AngularRate = turn
-                .parse()
-                .map_err(|e| Failure::input(format!("--turn: {e}")))?;
-            return Ok(View::Orbit {
-                bearing_rad: angle_within("--bearing", &bearing, [-360.0, 360.0])?,
-                elevation_rad: angle_within("--elevation", &elevation, [-89.0, 89.0])?,
-                turn_rad_s: turn.get(),
-            });
-        }
-        other => {
-            return Err(Failure::input(match did_you_mean(other, VIEWS) {
-                Some(guess) => format!("--view {other}: did you mean `{guess}`?"),
-                None => format!("--view {other}: it is one of {}", VIEWS.join(", ")),
-            }));
-        }
-    };
-    for (option, given) in [
-        ("--turn", &options.turn),
-        ("--bearing", &options.bearing),
-        ("--elevation", &options.elevation),
-    ] {
-        if given.is_some() {
-            return Err(Failure::input(format!(
-                "{option}: only --view orbit has it; this is --view {}",
-                options.view
-            )));
-        }
-    }
-    Ok(View::Side(side))
-}
-
-fn fit(word: &str) -> Result<Fit, Failure> {
-    match word {
-        "swarm" => Ok(Fit::Swarm),
-        "world" => Ok(Fit::World),
-        other => Err(Failure::input(format!(
-            "--fit {other}: it is one of swarm, world"
-        ))),
-    }
-}
-
-/// An angle between two, degrees; in rad.
-fn angle_within(option: &str, text: &str, [low, high]: [f64; 2]) -> Result<f64, Failure> {
-    let angle: Angle = text
-        .parse()
-        .map_err(|error| Failure::input(format!("{option}: {error}")))?;
-    let within = angle >= Angle::from_degrees(low) && angle <= Angle::from_degrees(high);
-    match within {
-        true => Ok(angle.get()),
-        false => Err(Failure::input(format!(
-            "{option} {text}: {low} deg to {high} deg"
-        ))),
-    }
 }

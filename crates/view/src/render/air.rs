@@ -1,8 +1,8 @@
 //! What goes through the air: links between radios, packets on their way.
 
 use super::RenderError;
+use super::choices::Choices;
 use super::colours::Places;
-use super::film::Choices;
 use simbeeotic_record::Recording;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -14,14 +14,26 @@ const PULSES_MAX: usize = 4000;
 /// A link is shown for so long after its period, periods.
 const STALE: f64 = 1.5;
 
-/// Who heard whom: share of the frames, 0 to 1.
-type Shares = Vec<(usize, usize, f32)>;
+/// What is drawn as no signal and as a full one, dBm.
+const WEAK_DBM: f32 = -95.0;
+const STRONG_DBM: f32 = -45.0;
+
+/// Two that heard each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Link {
+    /// Their places among the vehicles.
+    pub(super) ends: [usize; 2],
+    /// How strong the signal is, from 0, the weakest, to 1.
+    pub(super) strong: f32,
+    /// The share of frames that were received, 0 to 1.
+    pub(super) share: f32,
+}
 
 /// Links and packets of a range of time.
 #[derive(Default)]
 pub(super) struct Air {
-    /// When a period ended, ns, how long it was, s, and who heard whom: share of the frames, 0 to 1.
-    links: Vec<(u64, f64, Shares)>,
+    /// When a period ended, ns, how long it was, s, and who heard whom.
+    links: Vec<(u64, f64, Vec<Link>)>,
     /// When a packet was sent, ns, by whom and to whom.
     packets: Vec<(u64, usize, Vec<usize>)>,
     seen_ns: u64,
@@ -56,19 +68,28 @@ impl Air {
                     let path = period.radios.get(radio as usize)?;
                     Some(places.split(path)?.0)
                 };
-                let mut best: BTreeMap<(usize, usize), f32> = BTreeMap::new();
+                let mut best: BTreeMap<[usize; 2], Link> = BTreeMap::new();
                 for link in period.links.iter().filter(|link| link.received > 0) {
                     if let (Some(a), Some(b)) = (owner(link.from), owner(link.to))
                         && a != b
                     {
-                        let share = link.received as f32 / link.sent.max(1) as f32;
-                        let known = best.entry((a.min(b), a.max(b))).or_insert(0.0);
-                        *known = known.max(share);
+                        let ends = [a.min(b), a.max(b)];
+                        let (strong, share) = (strength(link.rssi_dbm), link.share());
+                        // Of both directions the better one.
+                        best.entry(ends)
+                            .and_modify(|known| {
+                                known.strong = known.strong.max(strong);
+                                known.share = known.share.max(share);
+                            })
+                            .or_insert(Link {
+                                ends,
+                                strong,
+                                share,
+                            });
                     }
                 }
-                let list = best.into_iter().map(|((a, b), share)| (a, b, share));
-                air.links
-                    .push((period.time_ns, period.period_s, list.collect()));
+                let list = best.into_values().collect();
+                air.links.push((period.time_ns, period.period_s, list));
             }
             // None at these times is an answer; none at all was not recorded.
             if !any {
@@ -95,16 +116,16 @@ impl Air {
     }
 
     /// Who hears whom at a time, and how well.
-    pub(super) fn links(&self, time_ns: u64) -> Vec<(usize, usize, f32)> {
+    pub(super) fn links(&self, time_ns: u64) -> &[Link] {
         let at = self.links.partition_point(|(end_ns, ..)| *end_ns < time_ns);
         let found = self.links.get(at).or(self.links.last());
         match found {
             Some((end_ns, period_s, list))
                 if time_ns <= end_ns.saturating_add((STALE * period_s * 1e9) as u64) =>
             {
-                list.clone()
+                list
             }
-            _ => Vec::new(),
+            _ => &[],
         }
     }
 
@@ -127,5 +148,13 @@ impl Air {
             }
         }
         pulses
+    }
+}
+
+/// A signal, from 0, the weakest that is told apart, to 1; in between where it is not known.
+fn strength(rssi_dbm: f32) -> f32 {
+    match rssi_dbm.is_finite() {
+        true => ((rssi_dbm - WEAK_DBM) / (STRONG_DBM - WEAK_DBM)).clamp(0.0, 1.0),
+        false => 0.5,
     }
 }

@@ -1,7 +1,7 @@
 //! Where a picture is taken from, and what of the world falls where on it.
 
 use super::light::{self, Haze};
-use super::raster::{GRID, Triangle};
+use super::triangle::{GRID, Triangle};
 use simbeeotic_units::glam::{DVec3, Vec3};
 use simbeeotic_units::math;
 

@@ -10,11 +10,15 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// Never for a picture whose bytes fit its size.
 pub fn png_bytes(picture: &Picture) -> io::Result<Vec<u8>> {
+    packed(picture, png::Compression::Balanced)
+}
+
+fn packed(picture: &Picture, compression: png::Compression) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, picture.width, picture.height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Balanced);
+    encoder.set_compression(compression);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&picture.rgb)?;
     writer.finish()?;
@@ -26,7 +30,11 @@ pub fn png_bytes(picture: &Picture) -> io::Result<Vec<u8>> {
 /// # Errors
 /// Those of the file system.
 pub fn write_png(path: &Path, picture: &Picture) -> Result<(), RenderError> {
-    let written = png_bytes(picture).and_then(|bytes| {
+    write(path, png_bytes(picture))
+}
+
+fn write(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<(), RenderError> {
+    let written = bytes.and_then(|bytes| {
         publish(path, |mut file| -> io::Result<()> {
             file.write_all(&bytes)
         })
@@ -81,12 +89,13 @@ impl Frames {
         })
     }
 
-    /// Writes the next picture.
+    /// Writes the next picture, packed quickly: to make it small would take several times as long as to draw it.
     ///
     /// # Errors
     /// Those of the file system.
     pub fn add(&mut self, picture: &Picture) -> Result<(), RenderError> {
-        write_png(&self.path(self.count), picture)?;
+        let bytes = packed(picture, png::Compression::Fast);
+        write(&self.path(self.count), bytes)?;
         self.count += 1;
         Ok(())
     }

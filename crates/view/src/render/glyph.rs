@@ -2,8 +2,8 @@
 
 use super::camera::Projector;
 use super::light::{self, Theme, mix};
-use super::raster::{Batch, GRID, Triangle};
 use super::solid::{Facet, revolved};
+use super::triangle::{Batch, Triangle};
 use simbeeotic_units::glam::{DVec3, Vec3};
 use simbeeotic_units::math;
 use std::sync::OnceLock;
@@ -225,13 +225,7 @@ fn dart(
         ]
     };
     let mut put = |points: [[f32; 2]; 3], near: f32, [r, g, b]: [u8; 3]| {
-        let grid = |part: usize| points.map(|p| (p[part] * GRID as f32).round() as i32);
-        let triangle = Triangle {
-            x: grid(0),
-            y: grid(1),
-            near: [near; 3],
-            rgba: [[r, g, b, glyph.alpha]; 3],
-        };
+        let triangle = Triangle::on_screen(points.map(|at| (at, near, [r, g, b, glyph.alpha])));
         match glyph.alpha {
             255 => out.solid.push(triangle),
             _ => out.glass.push(triangle),
@@ -287,6 +281,7 @@ pub(super) fn on_ground(point: Vec3, origin_m: DVec3) -> Option<Vec3> {
 mod tests {
     use super::*;
     use crate::render::camera::{Camera, Lens, Side};
+    use crate::render::triangle::GRID;
 
     fn seen(radius_m: f32, nose: Vec3) -> Batch {
         let lens = Lens::Flat { scale: 10.0 };

@@ -2,6 +2,7 @@
 //!
 //! What is computed is light, 0 to 1 a channel; bytes are its square root, which is near to sRGB and cheap.
 
+use super::scales::Scale;
 use simbeeotic_units::glam::Vec3;
 
 /// Towards the sun: from the south-west, high. A unit vector.
@@ -81,8 +82,10 @@ pub(super) struct Theme {
     pub(super) paper: [u8; 3],
     /// The rim of small things.
     pub(super) rim: [u8; 3],
-    /// Radio links.
-    pub(super) link: [u8; 3],
+    /// The colours of radio links, from weak to strong.
+    pub(super) signal: Scale,
+    /// Arrows of the wind.
+    pub(super) wind: [u8; 3],
 }
 
 impl Theme {
@@ -106,7 +109,8 @@ impl Theme {
                 ink: [0xe8, 0xec, 0xf2],
                 paper: [0x14, 0x18, 0x1f],
                 rim: [0x06, 0x08, 0x0b],
-                link: [0xa5, 0xe6, 0xff],
+                signal: Scale::SignalDark,
+                wind: [0x7f, 0xc9, 0xf9],
             }
         } else {
             Self {
@@ -125,7 +129,8 @@ impl Theme {
                 ink: [0x22, 0x27, 0x2e],
                 paper: [0xff, 0xff, 0xff],
                 rim: [0x2b, 0x24, 0x16],
-                link: [0x0b, 0x2b, 0xd0],
+                signal: Scale::Signal,
+                wind: [0x33, 0x82, 0xc9],
             }
         }
     }

@@ -9,10 +9,10 @@
 //! The [`Stage`](simbeeotic_record::Stage) becomes triangles, once (`solid`, `flower`), with pictures on them
 //! (`skins`, `paintings`), and a picture from the sun says what is in the shadow (`shadow`). A camera
 //! (`camera`) puts all corners onto the picture, and tiles of 64 by 64 pixels are filled in parallel
-//! (`raster`), four samples a pixel: first which triangle is seen where (`visible`), then its colour there
-//! (`shade`, `light`), as those of sky, ground and grid (`backdrop`, `ground`). Over it come the vehicles
-//! (`glyph`), their trails, links (`swarm`) and sensors (`beams`): the nearest triangle wins, what lets through comes last,
-//! from back to front. Words are outlines (`words`, `overlay`). As long as the camera stands still, what
+//! (`triangle`, `cover`, `tile`), four samples a pixel: first which triangle is seen where (`visible`), then
+//! its colour there (`shade`, `light`), as those of sky, ground and grid (`backdrop`, `ground`). Over it come
+//! the vehicles (`glyph`), their trails, links (`swarm`) and sensors (`beams`), and the wind (`wind`): the
+//! nearest triangle wins, what lets through comes last, from back to front. Words are outlines (`words`, `overlay`). As long as the camera stands still, what
 //! does not move is drawn once (`painter`).
 //!
 //! A tile is drawn by one thread, its triangles in a fixed order, and edges are decided in whole numbers:
@@ -22,10 +22,14 @@ mod air;
 mod backdrop;
 mod beams;
 mod camera;
+mod choices;
 mod colours;
+mod cover;
+mod cut;
 mod film;
 mod flower;
 mod frames;
+mod framing;
 mod gif;
 mod glyph;
 mod ground;
@@ -36,7 +40,6 @@ mod overlay;
 mod painter;
 mod paintings;
 mod palette;
-mod raster;
 mod scales;
 mod shade;
 mod shadow;
@@ -45,12 +48,17 @@ mod solid;
 mod swarm;
 #[cfg(test)]
 mod tests;
+mod tile;
+mod triangle;
 mod visible;
+mod who;
+mod wind;
 pub mod words;
 
 pub use camera::{Camera, Lens, Side};
+pub use choices::{Choices, CutOpen, DRAWN_MAX, Fit, View};
 pub use colours::ColourBy;
-pub use film::{Choices, DRAWN_MAX, Film, Fit, View};
+pub use film::Film;
 pub use frames::{Frames, png_bytes, write_png};
 pub use gif::Gif;
 pub use mp4::Mp4;

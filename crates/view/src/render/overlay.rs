@@ -216,10 +216,25 @@ impl Overlay {
         }
     }
 
-    /// A name beside a place.
-    pub(super) fn label(&mut self, [x, y]: [f64; 2], name: &str) {
+    /// Names beside places, as far as there is room: the first ones have theirs.
+    pub(super) fn labels<'n>(&mut self, names: impl Iterator<Item = ([f64; 2], &'n str)>) {
         let size = 0.72 * self.unit;
-        self.words([x, y + 0.35 * size], name, size, Anchor::Start, 235);
+        let mut taken: Vec<[f64; 4]> = Vec::new();
+        for ([x, y], name) in names {
+            let own = [
+                x,
+                y - 0.5 * size,
+                x + words::width(name, size),
+                y + 0.5 * size,
+            ];
+            let meets = |other: &[f64; 4]| {
+                own[0] < other[2] && other[0] < own[2] && own[1] < other[3] && other[1] < own[3]
+            };
+            if !taken.iter().any(meets) {
+                taken.push(own);
+                self.words([x, y + 0.35 * size], name, size, Anchor::Start, 235);
+            }
+        }
     }
 }
 
@@ -252,6 +267,28 @@ mod tests {
     fn lengths_are_said_in_their_own_unit() {
         let said = [0.002, 0.5, 1.0, 20.0, 5000.0].map(metres);
         assert_eq!(said, ["2 mm", "50 cm", "1 m", "20 m", "5 km"]);
+    }
+
+    #[test]
+    fn names_that_would_lie_on_others_are_left_out() {
+        let picture = Picture {
+            width: 200,
+            height: 100,
+            rgb: vec![0; 200 * 100 * 3],
+        };
+        let written = |names: &[([f64; 2], &str)]| {
+            let theme = Theme::new(true, [0; 4]);
+            let mut overlay = Overlay::on(&picture, theme).expect("a picture");
+            overlay.labels(names.iter().copied());
+            overlay.done()
+        };
+        let (first, over, apart) = (
+            ([20.0, 50.0], "bee-1"),
+            ([24.0, 53.0], "bee-2"),
+            ([20.0, 80.0], "bee-3"),
+        );
+        assert_eq!(written(&[first, over, apart]), written(&[first, apart]));
+        assert_ne!(written(&[first, apart]), written(&[first]));
     }
 
     #[test]

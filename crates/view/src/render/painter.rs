@@ -3,11 +3,12 @@
 use super::backdrop::{self, Backdrop, Ground};
 use super::camera::{Camera, Lens, Projector};
 use super::light::{Haze, Theme};
-use super::raster::{Batch, Bins, GRID, Tile, Triangle, tiles};
 use super::shade::Shade;
 use super::shadow::Shadows;
 use super::skins::Skins;
 use super::solid::Face;
+use super::tile::Tile;
+use super::triangle::{Batch, Bins, Triangle, tiles};
 use super::visible::Visible;
 use rayon::prelude::*;
 use simbeeotic_units::glam::{DVec3, Vec3};
@@ -299,7 +300,7 @@ impl Stand<'_> {
         ];
         for corners in [[0, 1, 2], [0, 2, 3]] {
             let corners = corners.map(|k: usize| quad[k]);
-            out.push(flat_triangle(corners));
+            out.push(Triangle::on_screen(corners));
         }
     }
 
@@ -321,17 +322,7 @@ impl Stand<'_> {
         let radius = radius * self.fineness;
         let corner = |k: usize| ([x + radius * RIM[k][0], y + radius * RIM[k][1]], near, rgba);
         for k in 1..RIM.len() - 1 {
-            out.push(flat_triangle([corner(0), corner(k), corner(k + 1)]));
+            out.push(Triangle::on_screen([corner(0), corner(k), corner(k + 1)]));
         }
-    }
-}
-
-fn flat_triangle(corners: [([f32; 2], f32, [u8; 4]); 3]) -> Triangle {
-    let grid = |part: usize| corners.map(|(at, _, _)| (at[part] * GRID as f32).round() as i32);
-    Triangle {
-        x: grid(0),
-        y: grid(1),
-        near: corners.map(|(_, near, _)| near),
-        rgba: corners.map(|(_, _, rgba)| rgba),
     }
 }

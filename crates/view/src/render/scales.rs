@@ -4,26 +4,16 @@ use super::light::mix;
 
 /// Kinds, in the order of use; after M. Okabe and K. Ito, *Color universal design* (2008), made to stand out on
 /// grass and at night.
-const KINDS: [[u8; 3]; 10] = [
-    [0xff, 0xb0, 0x00],
-    [0x3d, 0xa5, 0xff],
-    [0xff, 0x5c, 0x4d],
-    [0x00, 0xc2, 0xa0],
-    [0xe0, 0x6b, 0xd0],
-    [0xff, 0xf2, 0x7a],
-    [0x8f, 0x7b, 0xff],
-    [0xff, 0x9e, 0xc0],
-    [0xa3, 0xe6, 0x35],
-    [0xc8, 0xc8, 0xd0],
+const KINDS: [u32; 10] = [
+    0xffb000, 0x3da5ff, 0xff5c4d, 0x00c2a0, 0xe06bd0, 0xfff27a, 0x8f7bff, 0xff9ec0, 0xa3e635,
+    0xc8c8d0,
 ];
 
 /// A colour for one more kind, that can be told from all that are taken; if there is none left, they repeat.
 pub(super) fn kind(taken: &[[u8; 3]], place: usize) -> [u8; 3] {
-    let free = |colour: &&[u8; 3]| taken.iter().all(|other| apart(**colour, *other));
-    *KINDS
-        .iter()
-        .find(free)
-        .unwrap_or(&KINDS[place % KINDS.len()])
+    let free = |colour: &[u8; 3]| taken.iter().all(|other| apart(*colour, *other));
+    let found = KINDS.into_iter().map(rgb).find(free);
+    found.unwrap_or(rgb(KINDS[place % KINDS.len()]))
 }
 
 /// Whether two colours can be told apart at a glance.
@@ -42,42 +32,30 @@ pub(super) enum Scale {
     Speed,
     /// From empty to full.
     Battery,
+    /// Radio, from weak to strong, on light and on dark.
+    Signal,
+    SignalDark,
 }
 
-const VIRIDIS: [[u8; 3]; 9] = [
-    [0x44, 0x01, 0x54],
-    [0x47, 0x2d, 0x7b],
-    [0x3b, 0x52, 0x8b],
-    [0x2c, 0x72, 0x8e],
-    [0x21, 0x91, 0x8c],
-    [0x28, 0xae, 0x80],
-    [0x5e, 0xc9, 0x62],
-    [0xad, 0xdc, 0x30],
-    [0xfd, 0xe7, 0x25],
+/// Their colours from low to high.
+const VIRIDIS: [u32; 9] = [
+    0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
 ];
+const PLASMA: [u32; 10] = [
+    0x3b0f9b, 0x6a00a8, 0x900da4, 0xb12a90, 0xcc4778, 0xe16462, 0xf2844b, 0xfca636, 0xfcce25,
+    0xf0f921,
+];
+const CHARGE: [u32; 7] = [
+    0xc1121f, 0xe8590c, 0xf9a03f, 0xfde2a0, 0xa8d5e5, 0x5fa8d3, 0x1d6fb8,
+];
+const SIGNAL: [u32; 4] = [0x8a7f9e, 0x6a66b8, 0x3f4fd0, 0x0b2bd0];
+const SIGNAL_DARK: [u32; 4] = [0x7d88a8, 0x86b4e0, 0xa5e6ff, 0xf2fdff];
 
-const PLASMA: [[u8; 3]; 10] = [
-    [0x3b, 0x0f, 0x9b],
-    [0x6a, 0x00, 0xa8],
-    [0x90, 0x0d, 0xa4],
-    [0xb1, 0x2a, 0x90],
-    [0xcc, 0x47, 0x78],
-    [0xe1, 0x64, 0x62],
-    [0xf2, 0x84, 0x4b],
-    [0xfc, 0xa6, 0x36],
-    [0xfc, 0xce, 0x25],
-    [0xf0, 0xf9, 0x21],
-];
-
-const CHARGE: [[u8; 3]; 7] = [
-    [0xc1, 0x12, 0x1f],
-    [0xe8, 0x59, 0x0c],
-    [0xf9, 0xa0, 0x3f],
-    [0xfd, 0xe2, 0xa0],
-    [0xa8, 0xd5, 0xe5],
-    [0x5f, 0xa8, 0xd3],
-    [0x1d, 0x6f, 0xb8],
-];
+/// Red, green and blue of `0xrrggbb`.
+const fn rgb(colour: u32) -> [u8; 3] {
+    let [_, r, g, b] = colour.to_be_bytes();
+    [r, g, b]
+}
 
 impl Scale {
     /// The colour of a share, 0 to 1; grey for what is not known.
@@ -85,15 +63,21 @@ impl Scale {
         if share.is_nan() {
             return [148; 3];
         }
-        let stops: &[[u8; 3]] = match self {
+        let stops: &[u32] = match self {
             Self::Value => &VIRIDIS,
             Self::Speed => &PLASMA,
             Self::Battery => &CHARGE,
+            Self::Signal => &SIGNAL,
+            Self::SignalDark => &SIGNAL_DARK,
         };
         let last = stops.len() - 1;
         let at = share.clamp(0.0, 1.0) * last as f64;
         let low = (at.floor() as usize).min(last - 1);
-        mix(stops[low], stops[low + 1], (at - low as f64) as f32)
+        mix(
+            rgb(stops[low]),
+            rgb(stops[low + 1]),
+            (at - low as f64) as f32,
+        )
     }
 }
 
@@ -130,6 +114,6 @@ mod tests {
             taken.push(own);
         }
         // When all are taken they repeat.
-        assert_eq!(kind(&KINDS, 11), KINDS[1]);
+        assert_eq!(kind(&KINDS.map(rgb), 11), rgb(KINDS[1]));
     }
 }

@@ -2,8 +2,8 @@
 
 use super::camera::{Camera, Lens, Projector};
 use super::light::SUN;
-use super::raster::{Bins, tiles};
 use super::solid::Face;
+use super::triangle::{Bins, tiles};
 use super::visible::Visible;
 use rayon::prelude::*;
 use simbeeotic_units::glam::{DVec3, Vec3};

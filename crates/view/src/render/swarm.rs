@@ -1,11 +1,13 @@
 //! What moves: vehicles, their trails, links and packets, as triangles.
 
+use super::air::Link;
 use super::beams::Line;
 use super::glyph::{self, Glyph};
 use super::motion::{Instant, Past};
 use super::painter::{Stand, joined};
-use super::raster::Batch;
 use super::solid::{Facet, facets, turn_of};
+use super::triangle::Batch;
+use super::wind;
 use rayon::prelude::*;
 use simbeeotic_record::Vehicle;
 use simbeeotic_record::stage::Piece;
@@ -19,10 +21,12 @@ const SHARE: usize = 128;
 const PARTS_MAX: usize = 400_000;
 /// How wide trails and links are, pixels.
 const TRAIL_PX: f32 = 1.7;
-const LINK_PX: f32 = 1.3;
+const LINK_PX: f32 = 1.5;
 /// Rays of sensors, and where they meet something.
 const BEAM_PX: f32 = 1.2;
 const DOT_PX: f32 = 2.4;
+/// The least radius of one that is drawn as its body, pixels of a picture that is 720 high.
+pub(super) const BODY_LEAST_PX: f32 = 3.5;
 
 /// How one vehicle is drawn, as far as that stays the same.
 pub(super) struct Figure {
@@ -106,18 +110,22 @@ pub(super) struct Swarm<'a> {
     pub(super) by_kind: bool,
     /// The smallest radius of a vehicle, pixels.
     pub(super) least_px: f32,
+    /// The same of one that is drawn as its body.
+    pub(super) body_least_px: f32,
     /// Whether the plane `z = 0` takes shadows.
     pub(super) plane: bool,
     /// Where they were, the oldest first, and how long a trail is, s.
     pub(super) past: &'a VecDeque<Past>,
     pub(super) present: &'a [Past],
     pub(super) trail_s: f64,
-    /// Lines between two, with how strong they are, 0 to 1.
-    pub(super) links: &'a [(usize, usize, f32)],
+    /// Lines between two that hear each other.
+    pub(super) links: &'a [Link],
     /// Packets on their way: from, to, how far they are, 0 to 1.
     pub(super) pulses: &'a [(usize, usize, f32)],
     /// What sensors look along.
     pub(super) beams: &'a [Line],
+    /// Where the air is known and how it moves, as [`Wind`](simbeeotic_record::Wind) has it.
+    pub(super) wind: &'a [[f32; 6]],
 }
 
 impl Swarm<'_> {
@@ -142,12 +150,21 @@ impl Swarm<'_> {
                 stand.disc(to, *rgba, DOT_PX, &mut batch.lines);
             }
         }
-        for (from, to, strong) in self.links {
-            let alpha = (60.0 + 170.0 * strong.clamp(0.0, 1.0)) as u8;
-            let [r, g, b] = stand.theme.link;
-            let rgba = [[r, g, b, alpha]; 2];
-            if let (Some(from), Some(to)) = (self.local(*from, stand), self.local(*to, stand)) {
-                stand.line([from, to], rgba, LINK_PX, &mut batch.lines);
+        // The more there are, the fainter each, and the thinner.
+        let many = (self.links.len().max(1) as f64).log10() as f32;
+        let crowd = (1.2 - 0.15 * many).clamp(0.3, 1.0);
+        let width = LINK_PX * if self.links.len() < 200 { 1.0 } else { 0.65 };
+        for Link {
+            ends,
+            strong,
+            share,
+        } in self.links
+        {
+            let opacity = (0.16 + 0.84 * strong) * (0.35 + 0.65 * share.clamp(0.0, 1.0)) * crowd;
+            let [r, g, b] = stand.theme.signal.colour((*strong).into());
+            let rgba = [[r, g, b, (255.0 * opacity) as u8]; 2];
+            if let [Some(from), Some(to)] = ends.map(|end| self.local(end, stand)) {
+                stand.line([from, to], rgba, width, &mut batch.lines);
             }
         }
         for (from, to, share) in self.pulses {
@@ -157,6 +174,7 @@ impl Swarm<'_> {
                 stand.disc(at, [0xe0, 0x3c, 0x6e, alpha], 2.4, &mut batch.lines);
             }
         }
+        wind::draw(self.wind, stand, &mut batch.lines);
         batch
     }
 
@@ -177,10 +195,11 @@ impl Swarm<'_> {
                 (true, [r, g, b]) => [r, g, b, own[3]],
                 (false, _) => *own,
             };
+            let larger = self.larger(place, figure.radius_m, stand);
             for facet in surface.iter() {
                 let corners = facet
                     .corners
-                    .map(|c| place + (turn * c.as_dvec3()).as_vec3());
+                    .map(|c| place + larger * (turn * c.as_dvec3()).as_vec3());
                 let rgba = facet.normals.map(|n| {
                     stand
                         .theme
@@ -216,6 +235,15 @@ impl Swarm<'_> {
             shadow: self.plane && !stand.projector.is_flat(),
         };
         glyph::draw(&glyph, &stand.projector, stand.theme, batch);
+    }
+
+    /// So many times as large as it is a body is drawn, so that it can be seen.
+    fn larger(&self, place: Vec3, radius_m: f32, stand: &Stand<'_>) -> f32 {
+        let Some((_, scale, _)) = stand.projector.place(place) else {
+            return 1.0;
+        };
+        let least = self.body_least_px * stand.fineness;
+        (least / (radius_m * scale).max(1e-6)).clamp(1.0, 1e4)
     }
 
     /// Where it came from, fading.

@@ -2,7 +2,9 @@
 
 use super::*;
 use simbeeotic_record::stage::{Form, Piece, Prop};
-use simbeeotic_record::{Header, Metric, Metrics, Recorder, Recording, Sample, Stage, Vehicle};
+use simbeeotic_record::{
+    Header, Metric, Metrics, Recorder, Recording, Sample, Stage, Vehicle, Wind,
+};
 use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::math;
 use std::path::Path;
@@ -11,7 +13,7 @@ const TICK_NS: u64 = 100_000_000;
 const BEES: usize = 300;
 
 /// Bees on circles, each with its own; a tick each tenth of a second, for two seconds.
-fn record(path: &Path) {
+fn record(path: &Path, winds: &[Wind]) {
     let vehicle = |k: usize| Vehicle {
         path: format!("bee-{k}"),
         kind: ["instrument-bee", "random-walk-bee"][k % 2].to_owned(),
@@ -37,6 +39,8 @@ fn record(path: &Path) {
             values: values.collect(),
         };
         recorder.metrics(metrics).expect("recorded");
+        let now = winds.iter().filter(|wind| wind.time_ns == tick * TICK_NS);
+        now.for_each(|wind| recorder.wind(wind.clone()).expect("recorded"));
     }
     let summary = serde_json::json!({});
     recorder.finish(&summary).expect("finished");
@@ -89,9 +93,13 @@ fn stage() -> Stage {
 }
 
 fn opened(test: impl FnOnce(&Recording)) {
+    in_wind(&[], test);
+}
+
+fn in_wind(winds: &[Wind], test: impl FnOnce(&Recording)) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("run.mcap");
-    record(&path);
+    record(&path, winds);
     test(&Recording::open(&path).expect("opens"));
 }
 
@@ -100,7 +108,7 @@ fn orbit() -> Choices {
         size: [320, 180],
         view: View::Orbit {
             bearing_rad: 3.8,
-            elevation_rad: 0.5,
+            elevation_rad: Some(0.5),
             turn_rad_s: 0.0,
         },
         trail_s: 1.0,
@@ -162,6 +170,41 @@ fn pictures_are_those_that_were_looked_at() {
 
 /// To be changed when pictures are to look different, and they have been looked at.
 const GOLDEN: [&str; 2] = ["83f8fef6dc5c31e2", "0fef3e17f1bcfc2c"];
+
+#[test]
+fn the_wind_that_was_recorded_is_drawn_until_there_is_another() {
+    let wind = |time_ns, speed| Wind {
+        time_ns,
+        arrows: vec![
+            [0.0, 0.0, 4.0, speed, 0.0, 0.0],
+            [0.0, 5.0, 4.0, 0.0, -1.0, 0.0],
+        ],
+    };
+    let both = [wind(0, 2.0), wind(1_000_000_000, 3.0)];
+    in_wind(&both, |recording| {
+        let mut winds = super::wind::Winds::open(recording, 500_000_000).expect("read");
+        assert_eq!(winds.now(), Some(&both[0]));
+        winds.advance(recording, 1_700_000_000).expect("read");
+        assert_eq!(winds.now(), Some(&both[1]));
+        assert_eq!(winds.said().as_deref(), Some("wind up to 3.0 m/s"));
+        winds.advance(recording, 100_000_000).expect("read");
+        assert_eq!(winds.now(), Some(&both[0]), "back again");
+        let drawn = |wind| {
+            let choices = Choices {
+                wind,
+                captions: false,
+                ..orbit()
+            };
+            taken(recording, choices, &TIMES)
+        };
+        let (with, without) = (drawn(true), drawn(false));
+        assert!(with.iter().zip(&without).all(|(a, b)| a != b));
+    });
+    opened(|recording| {
+        let winds = super::wind::Winds::open(recording, 500_000_000).expect("read");
+        assert!(winds.now().is_none() && winds.said().is_none());
+    });
+}
 
 #[test]
 fn a_picture_alone_is_that_of_the_film() {
@@ -345,6 +388,10 @@ fn what_is_not_there_says_what_is() {
                 ["`bee_7`", "did you mean `bee-7`?"],
             ),
             (said(follow("queen"), 0..=0), ["300", "`bee-299`"]),
+            (
+                said(follow("bee-*"), 0..=0),
+                ["`bee-*`", "one vehicle, not a pattern"],
+            ),
             (
                 said(metric("polen"), 0..=0),
                 ["`polen`", "did you mean `pollen`?"],

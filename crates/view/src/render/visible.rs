@@ -2,7 +2,9 @@
 //! computed afterwards, once for each face that is seen in a pixel and not for those that are hidden.
 
 use super::backdrop::Backdrop;
-use super::raster::{SAMPLES, TILE, Tile, Triangle, cover, middle_of, tiles};
+use super::cover::{SAMPLES, cover, middle_of};
+use super::tile::Tile;
+use super::triangle::{TILE, Triangle, tiles};
 use simbeeotic_units::glam::Vec3;
 
 /// Nothing but the sky.
@@ -140,7 +142,7 @@ impl Visible {
 
 #[cfg(test)]
 mod tests {
-    use super::super::raster::GRID;
+    use super::super::triangle::GRID;
     use super::*;
 
     #[test]

@@ -1,6 +1,6 @@
 //! How often which values occur: over all times and vehicles, at one time, or the last ones.
 
-use super::super::Failure;
+use super::super::{Failure, input};
 use super::arguments::{BandKind, HistogramOptions};
 use super::axes::{Axis, Panel, grouped, nice, number};
 use super::band::{band, mean, quantile, units};
@@ -9,7 +9,7 @@ use super::palette::series;
 use super::quantity::{Quantity, read};
 use super::series::capital;
 use super::sheet::{HEAD, Ink, Sheet, TEXT};
-use super::source::{Sources, nanos};
+use super::source::Sources;
 use super::sweep::groups;
 use simbeeotic_units::math;
 
@@ -37,10 +37,7 @@ struct Bins {
 /// The picture.
 pub(super) fn histogram(sources: &Sources, options: &HistogramOptions) -> Result<Sheet, Failure> {
     let numbers = &options.numbers;
-    let at_s = match &options.at {
-        None => None,
-        Some(text) => Some(nanos("--at", text)? as f64 * 1e-9),
-    };
+    let at_s = input::nanos("--at", options.at.as_deref())?.map(|ns| ns as f64 * 1e-9);
     let groups = groups(sources, numbers.by.as_deref())?;
     let mut heads: Vec<Quantity> = Vec::new();
     let mut pools: Vec<Pool> = Vec::new();

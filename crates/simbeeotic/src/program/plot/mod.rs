@@ -25,7 +25,7 @@ mod lines;
 mod links;
 mod losses;
 mod map;
-mod names;
+pub(super) mod names;
 mod net;
 mod over;
 pub(super) mod palette;

@@ -101,7 +101,7 @@ pub(super) fn unknown(source: &Source, name: &str) -> Result<Failure, Failure> {
 }
 
 /// Refuses what is to be hidden but is the label or kind of nothing in any of these worlds.
-pub(super) fn hidden(stages: &[&Stage], hide: &[String]) -> Result<(), Failure> {
+pub(in super::super) fn hidden(stages: &[&Stage], hide: &[String]) -> Result<(), Failure> {
     let props = stages.iter().flat_map(|stage| &stage.props);
     let known: BTreeSet<&str> = props
         .flat_map(|prop| [prop.label.as_str(), prop.kind.as_str()])

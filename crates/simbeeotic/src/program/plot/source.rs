@@ -20,14 +20,9 @@ pub(super) struct Sources(Vec<Source>);
 
 impl Sources {
     pub(super) fn open(options: &PlotOptions) -> Result<Self, Failure> {
-        let nanos = |option: &str, text: &Option<String>, or: u64| match text {
-            None => Ok(or),
-            Some(text) => nanos(option, text),
-        };
-        let (from, to) = (
-            nanos("--from", &options.from, 0)?,
-            nanos("--to", &options.to, u64::MAX)?,
-        );
+        let nanos = |option, text: &Option<String>| input::nanos(option, text.as_deref());
+        let from = nanos("--from", &options.from)?.unwrap_or(0);
+        let to = nanos("--to", &options.to)?.unwrap_or(u64::MAX);
         input::in_order(from, to, true)?;
         let recordings = listed(&options.recordings)?;
         let sources: Vec<Source> = (recordings.iter())
@@ -125,13 +120,6 @@ fn listed(arguments: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
         all.extend(inside);
     }
     Ok(all)
-}
-
-/// A point of time in an argument, ns.
-pub(super) fn nanos(option: &str, text: &str) -> Result<u64, Failure> {
-    SimTime::from_time(input::span(option, text)?)
-        .map(SimTime::nanos)
-        .map_err(|e| Failure::input(format!("{option}: {e}")))
 }
 
 impl Source {
