@@ -94,7 +94,7 @@ impl Gate {
 
 impl Component for Gate {
     fn period(&self) -> Option<Time> {
-        Some(Time::from_secs(0.01))
+        Some(Time::from_secs(0.001))
     }
 
     fn start(&mut self, _: &View<'_>) -> Result<(), ComponentError> {
@@ -102,9 +102,10 @@ impl Component for Gate {
         Ok(())
     }
 
-    /// A little each time: the viewer has something new to show in between. A minute in all.
+    /// About as long as the viewer waits between two looks, so that it has as many to show as ever. A minute and
+    /// three quarters in all.
     fn observe(&mut self, _: &View<'_>) -> Result<(), ComponentError> {
-        self.wait(Duration::from_millis(200), |page| &page.enough);
+        self.wait(Duration::from_millis(35), |page| &page.enough);
         Ok(())
     }
 
@@ -238,14 +239,14 @@ fn faster(mut page: WebSocket<TcpStream>, seat: Seat<'_>) -> usize {
     most
 }
 
-/// Takes frames, but no more than three a second; what it says is that of the last `state`: frames that it was not sent.
+/// Takes frames, but no more than two a second; what it says is that of the last `state`: frames that it was not sent.
 fn slow(mut page: WebSocket<TcpStream>, seat: Seat<'_>) -> usize {
     let mut skipped = 0;
     while let Ok(message) = page.read() {
         match message {
             Message::Binary(bytes) if bytes.first() == Some(&1) => {
                 seat.frame();
-                std::thread::sleep(Duration::from_millis(330));
+                std::thread::sleep(Duration::from_millis(500));
                 say(&mut page, r#"{"type":"got","time_s":1e9}"#);
             }
             Message::Text(text) => {
