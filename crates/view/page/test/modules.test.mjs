@@ -459,7 +459,7 @@ test("a saved picture says the run, its seed, the time, and what colours, lines 
   shown.wind = is([[0, 0, 0, 3, 4, 0], [1, 0, 0, 1, 0, 0]]);
   const { rows } = caption.captionOf(shown, false);
   assert.deepEqual([rows[2].low, rows[2].of, rows[2].high], ["−95", "radio links", "−45\u00a0dBm"]);
-  assert.equal(rows[3].text, "wind: longest arrow 5\u00a0m/s");
+  assert.equal(rows[3].text, "wind: arrows up to 5\u00a0m/s");
   // What is not drawn is not explained.
   shown.layers = is({ links: false, wind: false });
   assert.deepEqual(caption.captionOf(shown, false).rows, kinds);

@@ -266,7 +266,7 @@ test("links and wind have a scale while they are shown", async () => {
   assert.match(await links.textContent(), /^−95−45\u00a0dBm$/);
   assert.match(await links.locator(".ramp").evaluate((it) => it.style.background), /linear-gradient/);
   const wind = page.locator("#wind-scale");
-  assert.match(await wind.textContent(), /^longest arrow [\d.]+\u00a0m\/s$/);
+  assert.match(await wind.textContent(), /^arrows up to [\d.]+\u00a0m\/s$/);
   for (const [key, scale] of [["3", links], ["6", wind]]) {
     await page.keyboard.press(key);
     await scale.waitFor({ state: "hidden" });

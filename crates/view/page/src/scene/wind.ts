@@ -70,7 +70,7 @@ export class Wind {
     this.mesh.material.uniforms["uColour"]!.value.set(...(dark ? [0.25, 0.62, 0.95] : [0.04, 0.26, 0.62]));
   }
 
-  /** Places and velocities of the air. The fastest arrow is two thirds as long as the arrows are apart. */
+  /** Places and velocities of the air. An arrow of the greatest speed of all is two thirds as long as those that are drawn are apart. */
   set(arrows: number[][]): void {
     this.list = arrows.filter(whole).slice(0, MOST);
     this.layer = layerOf(this.list, this.axis, this.layer ?? 0);
@@ -87,11 +87,12 @@ export class Wind {
 
   private fill(): void {
     const fastest = Math.max(fastestOf(this.list), BREEZE_M_S);
-    const apart = spacing(this.list);
     const { axis, layer } = this;
+    const near = spacing(this.list) * SAME;
+    const list = axis === null || layer === null ? this.list : this.list.filter((a) => Math.abs(a[axis]! - layer) <= near);
+    const apart = spacing(list);
     this.drawn = [];
-    for (const a of this.list) {
-      if (axis !== null && layer !== null && Math.abs(a[axis]! - layer) > apart * SAME) continue;
+    for (const a of list) {
       const v: Vec3 = [a[3]!, a[4]!, a[5]!];
       const speed = length(v);
       if (!(speed > fastest * 0.01)) continue;
@@ -113,7 +114,7 @@ export class Wind {
   }
 }
 
-/** The speed of the fastest arrow, in words; empty in still air. */
+/** The greatest speed of all arrows, in words; empty in still air. */
 export function longest(arrows: number[][]): string {
   const fastest_m_s = fastestOf(arrows.filter(whole));
   return fastest_m_s > 0 ? `${number(fastest_m_s, 2)}\u00a0m/s` : "";

@@ -30,6 +30,6 @@ export function captionOf(run: Pick<Run, "name" | "hello" | "time" | "legend" | 
     rows.push({ ramp: stops, low, of: "radio links", high });
   }
   const wind = layers.wind ? longest(run.wind.value) : "";
-  if (wind !== "") rows.push({ text: `wind: longest arrow ${wind}` });
+  if (wind !== "") rows.push({ text: `wind: arrows up to ${wind}` });
   return { title, rows };
 }

@@ -123,13 +123,13 @@ function linksScale(run: Run, dark: Signal<boolean>): HTMLElement {
   return scale;
 }
 
-/** How fast the longest arrow is. */
+/** How fast an arrow of full length is. */
 function windScale(run: Run): HTMLElement {
   const text = h("span");
   const scale = h("div", { class: "scale figure", id: "wind-scale", title: "Arrows half as long: a quarter of the speed" }, text);
   const update = () => {
     const fastest = run.layers.value.wind ? longest(run.wind.value) : "";
-    say(text, `longest arrow ${fastest}`);
+    say(text, `arrows up to ${fastest}`);
     show(scale, fastest !== "");
   };
   run.wind.now(update);
