@@ -96,7 +96,7 @@ pub(super) fn survey(
             // When there are too many, every other one goes.
             if moments.len() == MOMENTS {
                 let mut places = 0..;
-                moments.retain(|_| places.next().is_some_and(|at: usize| at % 2 == 0));
+                moments.retain(|_| places.next().is_some_and(|at: usize| at.is_multiple_of(2)));
                 stride *= 2;
             }
             if number % stride == 0 {

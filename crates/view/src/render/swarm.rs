@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use simbeeotic_record::Vehicle;
 use simbeeotic_record::stage::Piece;
 use simbeeotic_units::glam::{DVec3, Vec3};
+use simbeeotic_units::math;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -151,7 +152,7 @@ impl Swarm<'_> {
             }
         }
         // The more there are, the fainter each, and the thinner.
-        let many = (self.links.len().max(1) as f64).log10() as f32;
+        let many = math::log10(self.links.len().max(1) as f64) as f32;
         let crowd = (1.2 - 0.15 * many).clamp(0.3, 1.0);
         let width = LINK_PX * if self.links.len() < 200 { 1.0 } else { 0.65 };
         for Link {

@@ -90,11 +90,7 @@ enum Contacts<'a> {
 
 impl<'a> Rates<'a> {
     /// Names the series that the recording has rates for.
-    pub(super) fn start(
-        recording: &'a Recording,
-        faults: &'a Faults,
-        series: &mut Series,
-    ) -> Self {
+    pub(super) fn start(recording: &'a Recording, faults: &'a Faults, series: &mut Series) -> Self {
         let told = |name: &'static str| {
             let has = move |list: &Metrics| list.values.iter().any(|metric| metric.name == name);
             faults.good(recording.metrics()).any(|list| has(&list))
@@ -204,12 +200,7 @@ mod tests {
     fn steps(length_s: f64, end_s: f64) -> Vec<(f64, f64)> {
         let count = (end_s / length_s).ceil() as usize;
         (0..count)
-            .map(|k| {
-                (
-                    k as f64 * length_s,
-                    ((k + 1) as f64 * length_s).min(end_s),
-                )
-            })
+            .map(|k| (k as f64 * length_s, ((k + 1) as f64 * length_s).min(end_s)))
             .collect()
     }
 

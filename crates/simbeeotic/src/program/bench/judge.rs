@@ -114,6 +114,7 @@ mod tests {
         assert!(!decided(&[fast.clone(), fast], 4));
         assert_eq!(median(vec![0.5, 2.0]), 2.0);
     }
+
     #[test]
     fn what_is_far_beyond_real_time_is_left_to_the_search() {
         assert!(!is_beyond(1_000, &[]));
@@ -136,10 +137,10 @@ mod tests {
         assert_eq!(clear(&[row(9, &[5.0, 5.1])]), 1.1);
         let rows = [
             row(1, &[1.0, 9.0]),
-            row(2, &[4.0, 6.0]),
+            row(2, &[4.0, 8.0]),
             row(3, &[8.0, 8.0]),
         ];
-        assert_eq!(clear(&rows), 1.5);
+        assert_eq!(clear(&rows), 2.0);
         assert_eq!(clear(&rows[..2]), 4.0);
     }
 }
