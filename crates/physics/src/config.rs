@@ -21,7 +21,7 @@ pub struct Config {
     /// How often a step goes over the contacts of an island, 1 to 64: more for higher stacks, and for
     /// heavy bodies upon light ones. The cost grows in proportion.
     pub solver_iterations: usize,
-    /// Whether bodies that touch nobody are listed too, so that [`Physics::near`] is quick for them.
+    /// Whether bodies that touch nobody are listed too, so that [`Physics::near`](crate::Physics::near) is quick for them.
     /// Costs one pass over all bodies each `list_period`.
     pub list_all: bool,
 }

@@ -78,7 +78,7 @@ pub struct Choices {
     pub view: View,
     /// What has to be seen.
     pub fit: Fit,
-    /// Patterns of the paths of the vehicles that are drawn, as [`Selection`] has them; none: all of them.
+    /// Patterns of the paths of the vehicles that are drawn, as [`Selection`](simbeeotic_record::Selection) has them; none: all of them.
     pub models: Vec<String>,
     /// Path of the vehicle that stays in the middle.
     pub follow: Option<String>,
