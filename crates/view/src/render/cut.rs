@@ -10,9 +10,9 @@ use simbeeotic_units::glam::DVec3;
 use simbeeotic_units::math;
 
 /// From these elevations is judged whether the world hides the swarm, rad.
-const ELEVATIONS: [f64; 5] = [0.36, 0.6, 0.85, 1.1, 1.35];
+const ELEVATIONS: [f64; 6] = [0.36, 0.6, 0.85, 1.1, 1.35, 1.5];
 /// An orbit of which nobody has said how high it is stands at the first of these from which enough is seen, rad.
-const ORBITS: [f64; 4] = [std::f64::consts::FRAC_PI_6, 0.85, 1.1, 1.35];
+const ORBITS: [f64; 5] = [std::f64::consts::FRAC_PI_6, 0.85, 1.1, 1.35, 1.5];
 /// Such a share of the vehicles must be seen.
 const CLEAR: f64 = 0.8;
 /// Where fewer are seen from every elevation, the world hides the swarm.
@@ -90,7 +90,7 @@ impl Blocks {
         let wanted = match cut {
             CutOpen::Never => false,
             CutOpen::Always => true,
-            CutOpen::Auto => best(f64::INFINITY) < DIM && best(ceiling_m) >= CLEAR,
+            CutOpen::Auto => best(f64::INFINITY) < DIM && best(ceiling_m) >= DIM,
         };
         (wanted && self.0.iter().any(above)).then_some(ceiling_m)
     }

@@ -17,7 +17,7 @@ const FEW = 0.3;
 /** Who sees more of them looks at the swarm. */
 const HALF = 0.5;
 /** Where the first view stands, seen from the swarm, rad: the lowest from which the world hides little of it. */
-const ELEVATIONS = [0.36, 0.6, 0.85, 1.1, 1.35];
+const ELEVATIONS = [0.36, 0.6, 0.85, 1.1, 1.35, 1.5];
 /** By so many of the vehicles that is judged, and such a share of them must be seen. */
 const SAMPLES = 20;
 const CLEAR = 0.8;
@@ -65,7 +65,7 @@ export class Sight {
       });
       return Math.max(...shares);
     };
-    return some.length > 0 && best(Infinity) < DIM && best(height_m) >= CLEAR;
+    return some.length > 0 && best(Infinity) < DIM && best(height_m) >= DIM;
   }
 
   /** Somebody has chosen what to look at, or from where: a swarm that is still to come is looked at from there. */
