@@ -107,7 +107,7 @@ impl Unfinished {
         let mut before = Before::default();
         match found.filter(|(_, lines)| !lines.is_empty()) {
             None if common.resume && !common.json => {
-                remark("there is nothing to go on with: all runs are made");
+                remark("there is nothing to go on with, so all runs are made now");
             }
             Some((was, lines)) if !common.restart => {
                 if !common.resume {

@@ -145,7 +145,7 @@ impl Unfinished {
         let path = journal.path().display().to_string();
         let Some((was, lines)) = journal.read::<Head, Line>(|head| head.what == WHAT)? else {
             if options.resume && !options.quiet {
-                remark("there is nothing to go on with: all runs are flown");
+                remark("there is nothing to go on with, so all runs are flown now");
             }
             return Ok((this, Vec::new()));
         };
