@@ -52,6 +52,9 @@ test("at each usual size nothing in the bars is cut or covered, with large text 
 test("the picture keeps its place and size when the run starts, and when a vehicle is selected", async () => {
   await page.setViewportSize({ width: 1366, height: 768 });
   await until(page, () => innerWidth === 1366);
+  // The panels come back where there is room for them again, some time after the window has grown.
+  const shown = () => ["vehicles", "charts"].every((id) => document.getElementById(id).getBoundingClientRect().height > 0);
+  await until(page, shown);
   const box = () => page.locator("#scene").boundingBox();
   const before = await box();
   await page.click("#start");

@@ -1,7 +1,7 @@
 //! What is read of a recording once: marks, statistics, wind, and what vehicles published.
 
 use super::faults::Faults;
-use super::rates::{self, Rates};
+use super::rates::{self, Rates, steps};
 use super::vehicle_of;
 use crate::series::{History, Series};
 use crate::wire::{Mark, seconds};
@@ -93,10 +93,7 @@ impl Past {
         let count = places.len().max(1);
         let most = (COLUMNS_BYTES / (4 * count * 4)).clamp(10, COLUMNS_MAX);
         let (mut next_s, every_s) = (0.0, end_s / most as f64);
-        let mut time_s = 0.0;
-        while time_s < end_s {
-            let from_s = time_s;
-            time_s = (time_s + period_s).min(end_s);
+        for (from_s, time_s) in steps(period_s, end_s) {
             rates.set(from_s, time_s, &mut self.series);
             while let Some(list) = metrics.next_if(|list| seconds(list.time_ns) <= time_s) {
                 self.publish(&list, places);

@@ -17,6 +17,20 @@ pub(super) const NAMES: [&str; 4] = [
     "packets/delivery",
 ];
 
+/// Steps of a length from 0 up to an end, s: the last one may be shorter, but is none of a rounding error.
+pub(super) fn steps(length_s: f64, end_s: f64) -> impl Iterator<Item = (f64, f64)> {
+    let count = (end_s / length_s - 1e-6)
+        .ceil()
+        .max(f64::from(u8::from(end_s > 0.0))) as u64;
+    (0..count).map(move |k| {
+        let to_s = match k + 1 == count {
+            true => end_s,
+            false => (k + 1) as f64 * length_s,
+        };
+        (k as f64 * length_s, to_s)
+    })
+}
+
 /// What was counted in a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Counts {
@@ -196,14 +210,6 @@ mod tests {
     use super::*;
     use simbeeotic_record::Metric;
 
-    /// Steps of a length up to an end, s.
-    fn steps(length_s: f64, end_s: f64) -> Vec<(f64, f64)> {
-        let count = (end_s / length_s).ceil() as usize;
-        (0..count)
-            .map(|k| (k as f64 * length_s, ((k + 1) as f64 * length_s).min(end_s)))
-            .collect()
-    }
-
     fn periods() -> Vec<Period> {
         (0..50)
             .map(|k| Period {
@@ -241,6 +247,29 @@ mod tests {
                 assert!((a - b).abs() < 1e-9 * b, "{length_s} s: {a} for {b}");
             }
         }
+    }
+
+    #[test]
+    fn no_step_is_a_rounding_error_and_the_last_one_ends_at_the_end() {
+        for end_s in (1..=600).map(f64::from).chain([1e-4, 0.35, 12.345, 1234.5]) {
+            let length_s = (end_s / 1000.0).clamp(0.001, 1.0);
+            let all: Vec<(f64, f64)> = steps(length_s, end_s).collect();
+            assert!(all.len() <= 1300, "{end_s} s: {} steps", all.len());
+            assert_eq!((all[0].0, all[all.len() - 1].1), (0.0, end_s));
+            for (at, (from_s, to_s)) in all.iter().enumerate() {
+                let is_last = at + 1 == all.len();
+                let short = (to_s - from_s) / length_s;
+                assert!(
+                    short > if is_last { 1e-7 } else { 0.999 },
+                    "{end_s} s: {short}"
+                );
+                assert!(
+                    is_last || all[at + 1].0 == *to_s,
+                    "{end_s} s: a gap at {to_s}"
+                );
+            }
+        }
+        assert_eq!(steps(0.001, 0.0).count(), 0);
     }
 
     #[test]

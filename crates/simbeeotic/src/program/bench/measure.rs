@@ -78,8 +78,9 @@ const TOLERANCE: f64 = 0.05;
 
 /// A probe that takes so many times its virtual time need not go on: it has failed.
 const HOPELESS: f64 = 1.25;
-/// By the processor's clock a probe ends by that, and by wall time only if that is many times as long.
-const HOPELESS_WALL: f64 = 8.0;
+/// By the processor's clock a probe ends by that, and by wall time only if that is so many times as long that it
+/// stands still: how long others keep the processor says nothing of it.
+const HOPELESS_WALL: f64 = 64.0;
 
 /// Wall time from one writing of the table to the next, s.
 const WRITTEN_S: f64 = 2.0;

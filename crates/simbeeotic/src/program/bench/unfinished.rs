@@ -2,7 +2,7 @@
 //! again by `--resume`.
 
 use super::alone::Run;
-use super::arguments::Common;
+use super::arguments::{Clock, Common};
 use super::machine::Machine;
 use super::measure::{Experiment, Row};
 use super::{Failure, remark};
@@ -28,6 +28,12 @@ struct Head {
 impl Head {
     fn of(experiment: &impl Experiment, machine: &Machine) -> Self {
         let setup = experiment.setup().into_iter();
+        // Probes end by the clock that judges them.
+        let clock = match experiment.common().clock {
+            Clock::Wall => "wall",
+            Clock::Processor => "processor",
+        };
+        let setup = setup.chain([("clock", clock.to_owned())]);
         Self {
             what: WHAT.to_owned(),
             figure: experiment.name().to_owned(),

@@ -349,9 +349,9 @@ class Scene implements SceneView {
 
   /** Is the swarm under a roof? */
   private lookUp(): void {
-    if (this.disposed || this.layers.cut) return;
+    if (this.disposed) return;
     const height_m = this.sight.height_m();
-    if (this.world.reachesAbove(height_m)) this.options.onOverhead(this.sight.hidden(height_m));
+    if (this.world.reachesAbove(height_m)) this.options.onOverhead(!this.layers.cut && this.sight.hidden(height_m));
   }
 
   /** Cuts away what of the world begins above this, with its shadow. */
