@@ -77,22 +77,24 @@ impl Blocks {
     ) -> Option<f64> {
         let heights = moments.iter().filter_map(Moment::ceiling_m);
         let ceiling_m = heights.reduce(f64::max)?;
-        let above = |block: &Block| block.foot_m >= ceiling_m;
+        if !self.0.iter().any(|block| block.foot_m >= ceiling_m) {
+            return None;
+        }
         let (sin, cos) = math::sin_cos(bearing_rad);
-        let best = |ceiling_m: f64| {
-            let shares = ELEVATIONS.map(|elevation| {
+        // Whether enough are seen from one of the elevations.
+        let clear = |ceiling_m: f64| {
+            ELEVATIONS.into_iter().any(|elevation| {
                 let (up, level) = math::sin_cos(elevation);
                 let along = DVec3::new(level * sin, level * cos, up) * 1e6;
-                share(moments, |_, place| self.free(place, along, ceiling_m))
-            });
-            shares.into_iter().fold(0.0, f64::max)
+                share(moments, |_, place| self.free(place, along, ceiling_m)) >= DIM
+            })
         };
         let wanted = match cut {
             CutOpen::Never => false,
             CutOpen::Always => true,
-            CutOpen::Auto => best(f64::INFINITY) < DIM && best(ceiling_m) >= DIM,
+            CutOpen::Auto => !clear(f64::INFINITY) && clear(ceiling_m),
         };
-        (wanted && self.0.iter().any(above)).then_some(ceiling_m)
+        wanted.then_some(ceiling_m)
     }
 
     /// How high an orbit stands, rad: the lowest from which the world hides little of the swarm. `eye_m`: where the

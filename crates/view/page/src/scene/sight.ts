@@ -57,15 +57,14 @@ export class Sight {
   hidden(height_m: number): boolean {
     const some = this.some(SAMPLES);
     const [x, y] = this.orbit.axes()[1];
-    const best = (ceiling_m: number) => {
-      const shares = ELEVATIONS.map((elevation) => {
+    /** Whether enough are seen from one of the elevations. */
+    const clear = (ceiling_m: number) =>
+      ELEVATIONS.some((elevation) => {
         const level = Math.cos(elevation);
         const up: Vec3 = [level * y, -level * x, Math.sin(elevation)];
-        return some.filter((from) => !firstHit(this.world, from, up, ceiling_m)).length / some.length;
+        return some.filter((from) => !firstHit(this.world, from, up, ceiling_m)).length >= DIM * some.length;
       });
-      return Math.max(...shares);
-    };
-    return some.length > 0 && best(Infinity) < DIM && best(height_m) >= DIM;
+    return some.length > 0 && !clear(Infinity) && clear(height_m);
   }
 
   /** Somebody has chosen what to look at, or from where: a swarm that is still to come is looked at from there. */
