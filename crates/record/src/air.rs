@@ -84,16 +84,11 @@ impl Tallies {
     /// not among them.
     #[must_use]
     pub fn missed_in_reach(&self) -> u64 {
-        let missed = |name: &str| {
-            let mut reasons = Loss::ALL.into_iter().filter(|it| it.is_at_receiver());
-            name != Loss::OutOfRange.name() && reasons.any(|it| it.name() == name)
-        };
-        let lost = self.lost.iter().filter(|(name, _)| missed(name));
-        lost.map(|(_, frames)| frames).sum()
+        let in_reach = |why: &Loss| why.is_at_receiver() && *why != Loss::OutOfRange;
+        let reasons = Loss::ALL.into_iter().filter(in_reach);
+        reasons.map(|why| self.lost(why.name())).sum()
     }
-}
 
-impl Tallies {
     /// Frames lost for one reason.
     pub fn lost(&self, reason: &str) -> u64 {
         let mut lost = self.lost.iter();
